@@ -297,7 +297,7 @@ void TakeFiles(Arguments& arguments)
   }
   arguments.Output = arguments.Inputs.back();
   arguments.Inputs.pop_back();
-  if (!arguments.Unit.IsMillimeter())
+  if (arguments.Unit.IsGiven)
   {
     arguments.Given["unit"] = arguments.Unit.Name;
   }

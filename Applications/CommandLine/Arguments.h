@@ -37,9 +37,10 @@ struct Arguments
   double FillVolume = 0.0;  ///< mm3, of cavities of volumes; 0: fills none.
   bool TakesLabels = false; ///< Also values that look like labels, as intensities.
   std::vector<Region> Regions;
-  LengthUnit Unit;           ///< Of the coordinates in files of surfaces that do not name it.
-  int PositionBits = 16;     ///< Of a coordinate in files that have a grid.
-  bool ColorsErrors = false; ///< Whether vertex colors show the error.
+  LengthUnit Unit;            ///< Of the coordinates in files of surfaces that do not name it.
+  int PositionBits = 16;      ///< Of a coordinate in files that have a grid.
+  bool CompressesGlb = false; ///< Outputs in glb.
+  bool ColorsErrors = false;  ///< Whether vertex colors show the error.
 
   /// @name One bone only. @{
   std::vector<std::string> Also;

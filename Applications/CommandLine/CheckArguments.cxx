@@ -82,7 +82,8 @@ void CheckUnit(const Arguments& arguments)
   for (const std::string& file : { arguments.Inputs[0], arguments.Reference })
   {
     const SurfaceFormat* const format = FindFormat(file);
-    Require(arguments.Unit.IsMillimeter() || format == nullptr || !format->NamesUnit,
+    Require(arguments.Unit.IsMillimeter() || format == nullptr || !format->NamesUnit ||
+        format->UnitMayDiffer, // which the file shows, see RequireUnitOfFile()
       "--unit is for files that do not name their unit; '" + file + "' does");
   }
 }

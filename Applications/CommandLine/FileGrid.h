@@ -14,13 +14,18 @@
 
 #include "vtkPolyData.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace bonedecimate
 {
-/// Adds --position-bits and --vertex-colors.
+/// Adds --position-bits, --glb-compression and --vertex-colors.
 void AddFileOptions(CLI::App& app, Arguments& arguments);
+
+/// Adds --glb-compression. @param given Receives the value.
+void AddGlbCompression(
+  CLI::App& app, bool& compresses, const std::function<void(const std::string&)>& given);
 
 /// Those options against the outputs. @throws Failure(ExitCode::Usage)
 void CheckFileOptions(const Arguments& arguments);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterRun.h"
 
+#include "ExitCode.h"
 #include "Formats/FileChecks.h"
 #include "Interruption.h"
 #include "ProgressBar.h"
@@ -21,6 +22,16 @@ MillimeterSurface ReadInput(
   MillimeterSurface loaded = ReadInMillimeters(path, unit);
   warnings.insert(warnings.end(), loaded.Warnings.begin(), loaded.Warnings.end());
   return loaded;
+}
+
+void RequireUnitOfFile(
+  const MillimeterSurface& loaded, const std::string& path, const LengthUnit& unit)
+{
+  if (!unit.IsMillimeter() && !loaded.TakesUnit)
+  {
+    throw Failure(
+      ExitCode::Usage, "--unit is for files that do not name their unit; '" + path + "' does");
+  }
 }
 
 VtkMessages UpdateFilter(vtkAlgorithm* filter, Progress progress, const std::string& phase)

@@ -19,6 +19,10 @@
 namespace bonedecimate
 {
 /// Reads a surface and appends what the reader warns of. @throws Failure(ExitCode::InputRejected)
+/// @throws Failure(ExitCode::Usage) if a unit was requested that the file, which names its own, does not have.
+void RequireUnitOfFile(
+  const MillimeterSurface& loaded, const std::string& path, const LengthUnit& unit);
+
 MillimeterSurface ReadInput(
   const std::string& path, const LengthUnit& unit, std::vector<std::string>& warnings);
 

@@ -34,11 +34,19 @@ void SetUnit(LengthUnit& unit, const std::string& name)
     if (one.Name == name)
     {
       unit = one;
+      unit.IsGiven = true;
       return;
     }
     names += (names.empty() ? "" : ", ") + one.Name;
   }
   throw Failure(ExitCode::Usage, "--unit takes one of " + names + ", not '" + name + "'");
+}
+
+LengthUnit UnitOfName(const std::string& name)
+{
+  LengthUnit unit;
+  SetUnit(unit, name);
+  return unit;
 }
 
 using Position = std::array<double, 3>;
@@ -145,14 +153,29 @@ void AddUnit(CLI::App& app, LengthUnit& unit)
       WrappedHelp("The unit of the coordinates in files of surfaces, read and written; default mm. "
                   "Options, reports, arrays and pages are in millimeters whatever it is, and files "
                   "that name their unit (" +
-        ExtensionsThat(&SurfaceFormat::NamesUnit) + ") are read and written in that."))
+        ExtensionsThat(&SurfaceFormat::NamesUnit) +
+        ") are read and written in that. Of files of other programs in " +
+        ExtensionsThat(&SurfaceFormat::UnitMayDiffer) + " it is the unit instead of m."))
     ->type_name("m|cm|mm|um|inch");
 }
 
 MillimeterSurface ReadInMillimeters(const std::string& path, const LengthUnit& unit)
 {
   const LoadedSurface loaded = ReadSurface(path);
-  return { ToMillimeters(loaded.Surface, UnitOfFile(path, unit)), loaded.Warnings, loaded.Surface };
+  MillimeterSurface surface;
+  surface.Warnings = loaded.Warnings;
+  surface.InFile = loaded.Surface;
+  LengthUnit used = UnitOfFile(path, unit);
+  surface.TakesUnit = loaded.Unit.empty() ? !FindFormat(path)->NamesUnit : loaded.Unit != "mm";
+  if (surface.TakesUnit && !loaded.Unit.empty())
+  {
+    used = unit.IsGiven ? unit : UnitOfName(loaded.Unit);
+    surface.Note = "the input is of another program: its lengths are in " + used.Name +
+      (unit.IsGiven ? std::string() : ", as its format says (--unit tells another unit)") +
+      ", its axes are kept as they are, and this format has y up";
+  }
+  surface.Surface = ToMillimeters(loaded.Surface, used);
+  return surface;
 }
 
 vtkSmartPointer<vtkPolyData> ToMillimeters(vtkPolyData* surface, const LengthUnit& unit)
@@ -183,7 +206,7 @@ std::string WithUnitHint(std::string message, const std::string& source, const L
   const std::string doubt = "may not be in millimeters";
   const std::string option = "--allow-large-error";
   const SurfaceFormat* const format = FindFormat(source);
-  const bool takesUnit = format != nullptr && !format->NamesUnit;
+  const bool takesUnit = format != nullptr && (!format->NamesUnit || format->UnitMayDiffer);
   if (const std::size_t at = message.find(doubt); at != std::string::npos && takesUnit)
   {
     message.replace(at, doubt.size(),

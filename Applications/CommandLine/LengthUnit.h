@@ -26,6 +26,7 @@ struct LengthUnit
   std::string Name = "mm";
   double Factor = 1.0; ///< mm = coordinate Factor / Divisor, both whole numbers.
   double Divisor = 1.0;
+  bool IsGiven = false; ///< By --unit.
 
   bool IsMillimeter() const { return this->Factor == this->Divisor; }
   double ToMillimeters(double coordinate) const
@@ -53,6 +54,9 @@ struct MillimeterSurface
   vtkSmartPointer<vtkPolyData> Surface;
   std::vector<std::string> Warnings;
   vtkSmartPointer<vtkPolyData> InFile; ///< In the unit of the file.
+  std::string
+    Note; ///< How unit and axes of the file were taken, a sentence; empty: nothing to say.
+  bool TakesUnit = true; ///< Whether --unit has a meaning for the file.
 
   /// Whether the coordinates in the file are in single precision.
   bool IsSingle() const { return this->InFile->GetPoints()->GetDataType() == VTK_FLOAT; }

@@ -5,6 +5,7 @@
 
 #include "CommandLine.h"
 #include "CommonOptions.h"
+#include "FileGrid.h"
 #include "HelpFormatter.h"
 #include "SameFile.h"
 #include "Settings/Settings.h"
@@ -52,6 +53,7 @@ void AddLevelOptions(CLI::App& app, LevelsArguments& arguments)
     .add_option("--output", arguments.Output,
       WrappedHelp("Where levels go: with NAME.EXT, a level to NAME-TRIANGLES.EXT."))
     ->type_name("NAME.EXT");
+  AddGlbCompression(app, arguments.CompressesGlb, [](const std::string&) {});
   AddFile(app, "--on", "SURFACE", arguments.On,
     "Put the levels on this surface, which has the triangles of INPUT and other points, such as a "
     "bone registered to it.");
@@ -88,7 +90,8 @@ void CheckFormats(const LevelsArguments& arguments)
   {
     throw Failure(ExitCode::Usage, lack);
   }
-  if (!arguments.Unit.IsMillimeter() && input != nullptr && input->NamesUnit)
+  if (!arguments.Unit.IsMillimeter() && input != nullptr && input->NamesUnit &&
+    !input->UnitMayDiffer)
   {
     throw Failure(ExitCode::Usage,
       "--unit is for files that do not name their unit; '" + arguments.Files[0] + "' does");

@@ -204,6 +204,7 @@ private:
   vtkSmartPointer<vtkPolyData> ReadOne(const std::string& path)
   {
     const MillimeterSurface loaded = ReadInput(path, this->Requested.Unit, this->Warnings);
+    RequireUnitOfFile(loaded, path, this->Requested.Unit);
     this->InFile = loaded.InFile;
     this->IsSingle = loaded.IsSingle();
     return loaded.Surface;
@@ -277,7 +278,8 @@ private:
     }
     KeepSurfaces(this->Requested, name);
     StagedFile& file = files.emplace_back(name);
-    WriteSurface(this->InFormat(level), file.GetTemporary(), file.GetTarget());
+    WriteSurface(
+      this->InFormat(level), file.GetTemporary(), file.GetTarget(), this->Requested.CompressesGlb);
     this->Written.emplace_back(name, request);
   }
 

@@ -41,6 +41,7 @@ struct LevelsArguments
   std::vector<int> Triangles;
   std::vector<double> Errors; ///< mm
   std::string Output;         ///< NAME.EXT; a level goes to NAME-TRIANGLES.EXT.
+  bool CompressesGlb = false; ///< Outputs in glb.
   std::string Page;           ///< An HTML page of all measured levels; empty: none.
   std::string On;             ///< A surface with the same triangles; empty: the input.
   /// @}

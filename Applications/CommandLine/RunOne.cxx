@@ -92,8 +92,10 @@ public:
     {
       const MillimeterSurface loaded =
         ReadInput(this->Path, this->Requested.Unit, this->Subject.Warnings);
+      RequireUnitOfFile(loaded, this->Path, this->Requested.Unit);
       this->Input = loaded.Surface;
       this->InputInFile = loaded.InFile;
+      this->InputNote = loaded.Note;
       this->Subject.CoordinateSystem = FrameOf(loaded.Surface);
     }
     if (!this->Requested.Reference.empty())
@@ -148,7 +150,7 @@ public:
       const vtkSmartPointer<vtkPolyData> written =
         unit.IsMillimeter() ? this->Result.Get() : this->Rounding.GetInFile();
       const vtkSmartPointer<vtkPolyData> readBack =
-        WriteSurface(written, file.GetTemporary(), file.GetTarget());
+        WriteSurface(written, file.GetTemporary(), file.GetTarget(), this->Requested.CompressesGlb);
       this->ProveFile(
         ToMillimeters(written, unit), ToMillimeters(readBack, unit), file.GetTarget());
       if (!WritesSegments(this->Requested) && &file == &files.Surfaces.front())
@@ -247,6 +249,10 @@ private:
     this->Rounding.Apply(result, this->Filter);
     this->Result = this->Rounding.GetResult();
     this->Notes = this->Rounding.GetNotes();
+    if (!this->InputNote.empty())
+    {
+      this->Notes.insert(this->Notes.begin(), this->InputNote);
+    }
     const std::vector<std::string>& warnings = this->Rounding.GetWarnings();
     this->Subject.Warnings.insert(this->Subject.Warnings.end(), warnings.begin(), warnings.end());
   }
@@ -311,6 +317,7 @@ private:
 
   vtkSmartPointer<vtkPolyData> Result;
 
+  std::string InputNote; // empty: none
   std::vector<std::string> Notes;
   std::string PictureProblem;
 };

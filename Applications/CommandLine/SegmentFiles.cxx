@@ -192,7 +192,8 @@ public:
       (FilePath(FolderOfSegments(this->Requested)) / FilePath(record.File)).string();
     RequireDistinct({ target }, { this->Requested.Inputs[0], this->Requested.Reference });
     StagedFile& file = this->Files.AddSegment(target);
-    const auto readBack = WriteSurface(surface, file.GetTemporary(), target);
+    const auto readBack =
+      WriteSurface(surface, file.GetTemporary(), target, this->Requested.CompressesGlb);
     if (!ReportFields(surface).Text("proof.status").empty())
     {
       RequireSameTriangles(surface, readBack, target);

@@ -7,6 +7,7 @@
 #include "Formats/FileChecks.h"
 #include "Formats/FileFrame.h"
 #include "Formats/FileParts.h"
+#include "Formats/FileUnit.h"
 #include "Formats/SurfaceFormat.h"
 #include "Options/Text.h"
 #include "VtkMessages.h"
@@ -163,10 +164,13 @@ std::string CellLoss(vtkPolyData* surface, const SurfaceFormat& format)
 }
 
 /// Not every writer notices a full disk; what can be read back in full has arrived.
-vtkSmartPointer<vtkPolyData> WriteAndCheck(vtkPolyData* surface, const std::string& path)
+vtkSmartPointer<vtkPolyData> WriteAndCheck(
+  vtkPolyData* surface, const std::string& path, bool isCompressed)
 {
   TakeVtkMessages();
-  FindFormat(path)->Write(surface, path);
+  const SurfaceFormat& format = *FindFormat(path);
+  const bool canCompress = format.WriteCompressed != nullptr;
+  (isCompressed && canCompress ? format.WriteCompressed : format.Write)(surface, path);
   const VtkMessages messages = TakeVtkMessages();
   if (!messages.Errors.empty())
   {
@@ -200,6 +204,7 @@ LoadedSurface ReadSurface(const std::string& path)
   {
     Reject(path, "the cells of the surface are damaged");
   }
+  loaded.Unit = TakeFileUnit(loaded.Surface);
   if (!loaded.Surface->GetPoints() || CountFaces(loaded.Surface) == 0)
   {
     Reject(path, "it holds no triangle");
@@ -208,11 +213,11 @@ LoadedSurface ReadSurface(const std::string& path)
 }
 
 vtkSmartPointer<vtkPolyData> WriteSurface(
-  vtkPolyData* surface, const std::string& path, const std::string& target)
+  vtkPolyData* surface, const std::string& path, const std::string& target, bool isCompressed)
 {
   try
   {
-    return WriteAndCheck(surface, path);
+    return WriteAndCheck(surface, path, isCompressed);
   }
   catch (const Failure& failure)
   {

@@ -22,6 +22,8 @@ struct LoadedSurface
   vtkSmartPointer<vtkPolyData>
     Surface; ///< Points of STL files are not merged: the filter does it and counts.
   std::vector<std::string> Warnings;
+  std::string
+    Unit; ///< What the file says of the unit of its coordinates (FileUnit.h); empty: nothing.
 };
 
 /// @throws Failure(ExitCode::InputRejected)
@@ -30,10 +32,11 @@ LoadedSurface ReadSurface(const std::string& path);
 /**
  * Writes to a name that exists already (see StagedFile), and returns what was read back.
  * @param target The name it will get, for messages.
+ * @param isCompressed In the compressed form of its format, if there is one.
  * @throws Failure(ExitCode::CouldNotWrite)
  */
-vtkSmartPointer<vtkPolyData> WriteSurface(
-  vtkPolyData* surface, const std::string& path, const std::string& target);
+vtkSmartPointer<vtkPolyData> WriteSurface(vtkPolyData* surface, const std::string& path,
+  const std::string& target, bool isCompressed = false);
 
 /// What this format cannot hold of the surface, for people; empty if it holds all of it.
 std::string LossText(vtkPolyData* surface, const SurfaceFormat& format);

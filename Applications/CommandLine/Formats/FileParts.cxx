@@ -9,11 +9,14 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace bonedecimate
@@ -97,12 +100,44 @@ std::int64_t LabelAt(vtkDataArray* labels, vtkIdType cell, int side)
   return static_cast<std::int64_t>(labels->GetComponent(cell, side));
 }
 
+bool HasArray(const FilePart& part, const std::string& name, const PartArray& like)
+{
+  const auto found = part.Arrays.find(name);
+  return found != part.Arrays.end() && found->second.Components == like.Components &&
+    found->second.Type == like.Type;
+}
+
+/// The arrays that all parts have in the same form, empty.
+std::vector<vtkSmartPointer<vtkDataArray>> CommonArrays(const std::vector<FilePart>& parts)
+{
+  std::vector<vtkSmartPointer<vtkDataArray>> arrays;
+  if (parts.empty())
+  {
+    return arrays;
+  }
+  for (const auto& [name, like] : parts.front().Arrays)
+  {
+    const auto has = [&name = name, &like = like](const FilePart& part)
+    { return HasArray(part, name, like); };
+    if (std::all_of(parts.begin(), parts.end(), has))
+    {
+      vtkSmartPointer<vtkDataArray> array;
+      array.TakeReference(vtkDataArray::CreateDataArray(like.Type));
+      array->SetName(name.c_str());
+      array->SetNumberOfComponents(like.Components);
+      arrays.push_back(array);
+    }
+  }
+  return arrays;
+}
+
 /// From parts to one surface.
 class Joiner
 {
 public:
-  explicit Joiner(bool mergesPoints)
+  Joiner(bool mergesPoints, const std::vector<FilePart>& parts)
     : MergesPoints(mergesPoints)
+    , Arrays(CommonArrays(parts))
   {
     this->Sides->SetName(BoundaryLabelsName);
     this->Sides->SetNumberOfComponents(2);
@@ -112,9 +147,14 @@ public:
   {
     std::vector<vtkIdType> numbers;
     numbers.reserve(part.Points.size());
-    for (const Position& position : part.Points)
+    for (std::size_t i = 0; i < part.Points.size(); ++i)
     {
-      numbers.push_back(this->NumberOf(position));
+      const vtkIdType next = this->Coordinates.CountPoints();
+      numbers.push_back(this->NumberOf(part.Points[i]));
+      if (numbers.back() == next)
+      {
+        this->AddValues(part, i);
+      }
     }
     for (std::size_t i = 0; i + 2 < part.Corners.size(); i += 3)
     {
@@ -133,10 +173,35 @@ public:
     {
       surface->GetCellData()->AddArray(this->Sides);
     }
+    const std::pair<const char*, int> roles[] = { { "Normals", vtkDataSetAttributes::NORMALS },
+      { "TCoords", vtkDataSetAttributes::TCOORDS }, { "RGB", vtkDataSetAttributes::SCALARS },
+      { "RGBA", vtkDataSetAttributes::SCALARS } };
+    for (const vtkSmartPointer<vtkDataArray>& array : this->Arrays)
+    {
+      surface->GetPointData()->AddArray(array);
+      for (const auto& [name, role] : roles)
+      {
+        if (std::string(array->GetName()) == name)
+        {
+          surface->GetPointData()->SetActiveAttribute(name, role);
+        }
+      }
+    }
     return surface;
   }
 
 private:
+  /// Of a new point.
+  void AddValues(const FilePart& part, std::size_t point)
+  {
+    for (const vtkSmartPointer<vtkDataArray>& array : this->Arrays)
+    {
+      const PartArray& values = part.Arrays.at(array->GetName());
+      array->InsertNextTuple(
+        values.Values.data() + point * static_cast<std::size_t>(values.Components));
+    }
+  }
+
   vtkIdType NumberOf(const Position& position)
   {
     const vtkIdType next = this->Coordinates.CountPoints();
@@ -177,6 +242,7 @@ private:
   }
 
   const bool MergesPoints;
+  const std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
   CoordinateCollector Coordinates;
   vtkNew<vtkCellArray> Cells;
   vtkNew<vtkTypeInt64Array> Sides;
@@ -243,7 +309,7 @@ vtkSmartPointer<vtkPolyData> JoinParts(const std::vector<FilePart>& parts)
       background = std::min(background, part.Label->Value - 1);
     }
   }
-  Joiner joiner(hasLabels);
+  Joiner joiner(hasLabels, parts);
   for (const FilePart& part : parts)
   {
     joiner.Add(part, hasLabels ? part.Label->Value : 0, background);
@@ -257,6 +323,24 @@ vtkSmartPointer<vtkPolyData> JoinParts(const std::vector<FilePart>& parts)
     WriteNamedLabels(labels, surface->GetFieldData());
   }
   return surface;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> ArraysOfSomeParts(const std::vector<FilePart>& parts)
+{
+  std::set<std::string> names;
+  for (const FilePart& part : parts)
+  {
+    for (const auto& [name, values] : part.Arrays)
+    {
+      names.insert(name);
+    }
+  }
+  for (const vtkSmartPointer<vtkDataArray>& array : CommonArrays(parts))
+  {
+    names.erase(array->GetName());
+  }
+  return { names.begin(), names.end() };
 }
 
 //------------------------------------------------------------------------------

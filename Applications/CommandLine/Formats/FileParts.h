@@ -19,11 +19,21 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace bonedecimate
 {
+/// Values of the points of a part that was read.
+struct PartArray
+{
+  int Components = 1;
+  int Type = 0; ///< VTK_FLOAT and so on.
+  std::vector<double> Values;
+};
+
 struct FilePart
 {
   std::optional<NamedLabel> Label;    ///< None: of a surface without labels.
@@ -31,13 +41,17 @@ struct FilePart
   std::vector<std::array<double, 3>> Points;
   std::vector<vtkIdType>
     OriginalPoints; ///< Of the surface that is written; empty in a part that was read.
+  std::map<std::string, PartArray> Arrays; ///< By name; empty in a part that is written.
 };
 
 /// Labels without triangles are left out.
 std::vector<FilePart> PartsOf(vtkPolyData* surface);
 
-/// @param parts Their corners are valid.
+/// With the point arrays that all parts have. @param parts Their corners are valid.
 vtkSmartPointer<vtkPolyData> JoinParts(const std::vector<FilePart>& parts);
+
+/// Names of the arrays that JoinParts() leaves aside: those that some parts have in another form or not at all.
+std::vector<std::string> ArraysOfSomeParts(const std::vector<FilePart>& parts);
 
 /// Whether each edge belongs to two triangles of opposite direction.
 bool IsClosed(const FilePart& part);

@@ -11,15 +11,13 @@ SurfaceFormat GlbRow()
 {
 #ifdef BONEDECIMATE_HAS_MESHOPTIMIZER
   SurfaceFormat format = { "glb", false, true, false, ReadGlbFile, WriteGlbFile };
+  format.WriteCompressed = WriteCompressedGlbFile;
+  format.ArraysHeld = ArraysOfGlb;
 #else
   SurfaceFormat format = FormatWithoutLibrary("glb", "meshoptimizer");
 #endif
   format.NamesUnit = true;
-  format.ArraysHeld = [](vtkPolyData*) -> std::set<std::string>
-  {
-    return { "BoundaryLabels", "LabelValues", "LabelNames", "LabelColors", "Color",
-      VertexColorArray };
-  };
+  format.UnitMayDiffer = true;
   format.HasGrid = true;
   return format;
 }

@@ -6,7 +6,7 @@
 
 #include <meshoptimizer.h>
 
-#include <algorithm>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -16,93 +16,127 @@ unsigned char* BytesOf(std::string& text)
 {
   return reinterpret_cast<unsigned char*>(text.data());
 }
-const unsigned char* BytesOf(const std::string& text)
-{
-  return reinterpret_cast<const unsigned char*>(text.data());
-}
 
 /// @param remap From the old number of a point to the new one.
-template <typename Element>
-std::string EncodedPoints(
-  const std::vector<Element>& elements, const std::vector<unsigned int>& remap)
+std::string EncodedPoints(const PointStream& stream, const std::vector<unsigned int>& remap)
 {
-  std::vector<Element> ordered(elements.size());
+  std::string ordered(stream.Bytes.size(), '\0');
   meshopt_remapVertexBuffer(
-    ordered.data(), elements.data(), elements.size(), sizeof(Element), remap.data());
-  std::string bytes(meshopt_encodeVertexBufferBound(elements.size(), sizeof(Element)), '\0');
+    ordered.data(), stream.Bytes.data(), remap.size(), stream.Stride, remap.data());
+  std::string bytes(meshopt_encodeVertexBufferBound(remap.size(), stream.Stride), '\0');
   bytes.resize(meshopt_encodeVertexBuffer(
-    BytesOf(bytes), bytes.size(), ordered.data(), ordered.size(), sizeof(Element)));
+    BytesOf(bytes), bytes.size(), ordered.data(), remap.size(), stream.Stride));
   return bytes;
 }
 
 /// Numbers the points by their first use and encodes all streams.
-CompressedPart Encoded(std::vector<unsigned int> corners,
-  const std::vector<PositionStream>& positions, const std::vector<ColorStream>& colors)
+CompressedPart Encoded(std::vector<unsigned int> corners, const std::vector<PointStream>& streams)
 {
-  std::vector<unsigned int> remap(positions.size());
-  meshopt_optimizeVertexFetchRemap(remap.data(), corners.data(), corners.size(), positions.size());
+  const std::size_t points = streams[0].Bytes.size() / streams[0].Stride;
+  std::vector<unsigned int> remap(points);
+  meshopt_optimizeVertexFetchRemap(remap.data(), corners.data(), corners.size(), points);
   meshopt_remapIndexBuffer(corners.data(), corners.data(), corners.size(), remap.data());
   CompressedPart part;
-  part.NumberOfPoints = positions.size();
-  part.NumberOfCorners = corners.size();
-  part.Indices.resize(meshopt_encodeIndexBufferBound(corners.size(), positions.size()));
+  part.Indices.resize(meshopt_encodeIndexBufferBound(corners.size(), points));
   part.Indices.resize(meshopt_encodeIndexBuffer(
     BytesOf(part.Indices), part.Indices.size(), corners.data(), corners.size()));
-  part.Positions = EncodedPoints(positions, remap);
-  part.Colors = colors.empty() ? std::string() : EncodedPoints(colors, remap);
+  for (const PointStream& stream : streams)
+  {
+    part.Streams.push_back(EncodedPoints(stream, remap));
+  }
   return part;
 }
 
 std::size_t BytesIn(const CompressedPart& part)
 {
-  return part.Indices.size() + part.Positions.size() + part.Colors.size();
+  std::size_t bytes = part.Indices.size();
+  for (const std::string& stream : part.Streams)
+  {
+    bytes += stream.size();
+  }
+  return bytes;
+}
+
+bool Filtered(const MeshoptView& view, std::string& decoded)
+{
+  using Decode = void (*)(void*, std::size_t, std::size_t);
+  const std::pair<const char*, Decode> filters[] = { { "OCTAHEDRAL", meshopt_decodeFilterOct },
+    { "QUATERNION", meshopt_decodeFilterQuat }, { "EXPONENTIAL", meshopt_decodeFilterExp } };
+  for (const auto& [name, decode] : filters)
+  {
+    if (view.Filter == name)
+    {
+      const bool isOfFour = view.Stride == 4 || view.Stride == 8;
+      const bool fits = view.Filter == "EXPONENTIAL" ? view.Stride % 4 == 0
+        : view.Filter == "QUATERNION"                ? view.Stride == 8
+                                                     : isOfFour;
+      if (fits)
+      {
+        decode(decoded.data(), view.Count, view.Stride);
+      }
+      return fits;
+    }
+  }
+  return view.Filter == "NONE";
 }
 }
 
-CompressedPart Compress(const std::vector<std::uint32_t>& corners,
-  const std::vector<PositionStream>& positions, const std::vector<ColorStream>& colors)
+CompressedPart Compress(
+  const std::vector<std::uint32_t>& corners, const std::vector<PointStream>& streams)
 {
   meshopt_encodeIndexVersion(1); // that of the extension
   meshopt_encodeVertexVersion(0);
-  CompressedPart best = Encoded(corners, positions, colors);
+  const std::size_t points = streams[0].Bytes.size() / streams[0].Stride;
+  CompressedPart best = Encoded(corners, streams);
   using Order = void (*)(unsigned int*, const unsigned int*, std::size_t, std::size_t);
   for (const Order optimize :
     { Order(meshopt_optimizeVertexCache), Order(meshopt_optimizeVertexCacheStrip) })
   {
     std::vector<unsigned int> ordered(corners.size());
-    optimize(ordered.data(), corners.data(), corners.size(), positions.size());
-    CompressedPart other = Encoded(std::move(ordered), positions, colors);
+    optimize(ordered.data(), corners.data(), corners.size(), points);
+    CompressedPart other = Encoded(std::move(ordered), streams);
     if (BytesIn(other) < BytesIn(best))
     {
       best = std::move(other);
-    }
-  }
-  best.Least.fill(UINT16_MAX);
-  for (const PositionStream& position : positions)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      best.Least[axis] = std::min(best.Least[axis], position[axis]);
-      best.Most[axis] = std::max(best.Most[axis], position[axis]);
     }
   }
   return best;
 }
 
 //------------------------------------------------------------------------------
-bool DecodeCorners(const std::string& bytes, std::size_t count, std::vector<std::uint32_t>& corners)
+std::string DecodeView(std::string_view bytes, const MeshoptView& view, std::string& decoded)
 {
-  corners.resize(count);
-  return meshopt_decodeIndexBuffer(
-           corners.data(), count, sizeof(std::uint32_t), BytesOf(bytes), bytes.size()) == 0;
-}
-
-bool DecodePositions(
-  const std::string& bytes, std::size_t count, std::vector<PositionStream>& positions)
-{
-  positions.resize(count);
-  return meshopt_decodeVertexBuffer(
-           positions.data(), count, sizeof(PositionStream), BytesOf(bytes), bytes.size()) == 0;
+  constexpr unsigned char attributesVersion1 = 0xA1;
+  const std::string damaged = "a compressed buffer is damaged";
+  const auto* const source = reinterpret_cast<const unsigned char*>(bytes.data());
+  decoded.resize(view.Count * view.Stride);
+  int result = -1;
+  if (view.Mode == "ATTRIBUTES" && view.Stride % 4 == 0)
+  {
+    result =
+      meshopt_decodeVertexBuffer(decoded.data(), view.Count, view.Stride, source, bytes.size());
+    if (result != 0 && !bytes.empty() && source[0] == attributesVersion1)
+    {
+      return "its points are compressed by version 1 of meshoptimizer's codec, which this build "
+             "does not read";
+    }
+    return result == 0 && Filtered(view, decoded) ? std::string() : damaged;
+  }
+  if (view.Stride != 2 && view.Stride != 4)
+  {
+    return damaged;
+  }
+  if (view.Mode == "TRIANGLES" && view.Count % 3 == 0)
+  {
+    result =
+      meshopt_decodeIndexBuffer(decoded.data(), view.Count, view.Stride, source, bytes.size());
+  }
+  else if (view.Mode == "INDICES")
+  {
+    result =
+      meshopt_decodeIndexSequence(decoded.data(), view.Count, view.Stride, source, bytes.size());
+  }
+  return result == 0 ? std::string() : damaged;
 }
 }
 

@@ -7,40 +7,43 @@
 #ifndef BoneDecimate_Applications_MeshoptStreams_h
 #define BoneDecimate_Applications_MeshoptStreams_h
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bonedecimate
 {
-using PositionStream =
-  std::array<std::uint16_t, 4>; ///< x, y, z and nothing: glTF wants multiples of four bytes.
-using ColorStream = std::array<std::uint8_t, 4>;
+/// The bytes of all points of a part, as many for each.
+struct PointStream
+{
+  std::string Bytes;
+  std::size_t Stride = 4; ///< A multiple of four.
+};
 
 struct CompressedPart
 {
-  std::size_t NumberOfPoints = 0;
-  std::size_t NumberOfCorners = 0;
-  std::array<std::uint16_t, 3> Least = {}; ///< Of the positions, by axis.
-  std::array<std::uint16_t, 3> Most = {};
-  std::string Indices;   ///< Mode TRIANGLES of EXT_meshopt_compression.
-  std::string Positions; ///< Mode ATTRIBUTES, as the colors.
-  std::string Colors;    ///< Empty: none.
+  std::string Indices;              ///< Mode TRIANGLES of EXT_meshopt_compression.
+  std::vector<std::string> Streams; ///< Mode ATTRIBUTES, as many as were given.
 };
 
 /// In the order of triangles and points that takes the fewest bytes among those of meshoptimizer and the given one.
-/// @param corners Three for each triangle. @param colors Empty: none.
-CompressedPart Compress(const std::vector<std::uint32_t>& corners,
-  const std::vector<PositionStream>& positions, const std::vector<ColorStream>& colors);
+/// @param corners Three for each triangle. @param streams At least one.
+CompressedPart Compress(
+  const std::vector<std::uint32_t>& corners, const std::vector<PointStream>& streams);
 
-/// @name The other way. @return False if the bytes are damaged. @{
-bool DecodeCorners(
-  const std::string& bytes, std::size_t count, std::vector<std::uint32_t>& corners);
-bool DecodePositions(
-  const std::string& bytes, std::size_t count, std::vector<PositionStream>& positions);
-/// @}
+/// What a file says of a compressed buffer view.
+struct MeshoptView
+{
+  std::size_t Count = 0;
+  std::size_t Stride = 0;
+  std::string Mode;   ///< ATTRIBUTES, TRIANGLES or INDICES
+  std::string Filter; ///< NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL
+};
+
+/// Decodes count x stride bytes. @return What is wrong, a part of a sentence; empty: nothing.
+std::string DecodeView(std::string_view bytes, const MeshoptView& view, std::string& decoded);
 }
 
 #endif

@@ -1,206 +1,389 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Only files of WriteGlb.cxx, so that what is certified is what a reader decodes. Of other glTF files neither the unit nor
-/// the frame of the patient is known.
+/// Meshes of the default scene, placed by its nodes. Files of WriteGlb.cxx come back in mm, as they were written.
 #ifdef BONEDECIMATE_HAS_MESHOPTIMIZER
 
 #include "FileChecks.h"
 #include "FileParts.h"
+#include "FileUnit.h"
 #include "GlbFiles.h"
-#include "MeshoptStreams.h"
+#include "GltfDocument.h"
+#include "GltfScene.h"
+
+#include "vtkPointData.h"
+#include "vtkType.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <limits>
+#include <set>
+#include <utility>
 
 namespace bonedecimate
 {
 namespace
 {
-using Json = nlohmann::json;
+using Json = GltfDocument::Json;
 
-std::string BytesOfFile(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return bytes.str();
-}
+/// Extensions that change no position; names that begin so.
+const std::string_view HarmlessExtensions[] = { "KHR_materials_", "KHR_texture_", "EXT_texture_",
+  "MSFT_texture_", "KHR_lights_", "EXT_lights_", "KHR_xmp", "KHR_animation_pointer",
+  "KHR_node_visibility", QuantizationExtension, MeshoptExtension, KhronosMeshoptExtension };
+
+constexpr const char* DracoExtension = "KHR_draco_mesh_compression";
 
 /// From linear to sRGB: the inverse of the writer's.
-unsigned char ByteOf(double linear)
+double ByteOf(double linear)
 {
   const double value =
     linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-  return static_cast<unsigned char>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+  return std::round(255.0 * std::clamp(value, 0.0, 1.0));
+}
+
+/// Three indices for each triangle of a list, strip or fan.
+std::vector<std::uint32_t> TriangleList(const std::vector<std::uint32_t>& corners, int mode)
+{
+  constexpr int strip = 5;
+  constexpr int fan = 6;
+  std::vector<std::uint32_t> list;
+  if (mode != strip && mode != fan)
+  {
+    list.assign(corners.begin(), corners.end() - static_cast<std::ptrdiff_t>(corners.size() % 3));
+    return list;
+  }
+  for (std::size_t i = 0; i + 2 < corners.size(); ++i)
+  {
+    const std::size_t turned = mode == strip ? i % 2 : 0;
+    list.push_back(corners[mode == fan ? 0 : i]);
+    list.push_back(corners[i + 1 + turned]);
+    list.push_back(corners[i + 2 - turned]);
+  }
+  return list;
+}
+
+/// The points that the corners name, in their order; the corners are numbered anew.
+std::vector<std::uint32_t> UsedPoints(std::vector<std::uint32_t>& corners)
+{
+  std::vector<std::uint32_t> used = corners;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  if (!used.empty() && used.back() + std::size_t(1) != used.size())
+  {
+    for (std::uint32_t& corner : corners)
+    {
+      corner = static_cast<std::uint32_t>(
+        std::lower_bound(used.begin(), used.end(), corner) - used.begin());
+    }
+  }
+  return used;
 }
 
 class GlbReader
 {
 public:
   explicit GlbReader(const std::string& path)
-    : Path(path)
-    , File(BytesOfFile(path))
+    : Document(path)
+    , Path(path)
   {
   }
 
-  vtkSmartPointer<vtkPolyData> Read()
+  vtkSmartPointer<vtkPolyData> Read(std::vector<std::string>& warnings)
   {
-    this->Split();
     try
     {
-      this->RequireOwn();
-      std::vector<FilePart> parts;
-      for (const Json& child : this->Document.at("nodes").at(0).at("children"))
+      this->RequireKnown();
+      this->Scene = ReadScene(this->Document);
+      for (const GltfInstance& instance : this->Scene.Instances)
       {
-        parts.push_back(this->ReadPart(this->Document.at("nodes").at(child.get<std::size_t>())));
+        this->AddInstance(instance);
       }
-      return JoinParts(parts);
     }
     catch (const Json::exception& problem)
     {
-      Reject(this->Path, std::string("its JSON is damaged: ") + problem.what());
+      Reject(this->Path, PrintableText(std::string("its JSON is damaged: ") + problem.what()));
     }
+    this->Warn(warnings);
+    const vtkSmartPointer<vtkPolyData> surface = JoinParts(this->Parts);
+    SetFileUnit(this->Scene.IsInMillimeters ? "mm" : "m", surface);
+    return surface;
   }
 
 private:
-  static constexpr std::size_t HeaderBytes = 12;
-  static constexpr std::size_t ChunkBytes = 8;
-
-  std::size_t WordAt(std::size_t offset) const
+  void RequireKnown() const
   {
-    std::size_t word = 0;
-    for (std::size_t i = 0; i < 4; ++i)
+    const Json& root = this->Document.Root();
+    const std::string version = root.at("asset").at("version").get<std::string>();
+    if (version.rfind("2.", 0) != 0)
     {
-      word |= std::size_t(static_cast<unsigned char>(this->File[offset + i])) << 8 * i;
+      this->Document.Fail("it is glTF of version " + PrintableText(version.substr(0, 20)) +
+        "; version 2 is read, to which most programs convert");
     }
-    return word;
-  }
-
-  /// The chunk that begins there; its end.
-  std::size_t ReadChunk(std::size_t begin, std::uint32_t kind, std::string& content) const
-  {
-    if (this->File.size() < begin + ChunkBytes || this->WordAt(begin + 4) != kind ||
-      this->WordAt(begin) > this->File.size() - begin - ChunkBytes)
+    const Json none = Json::array();
+    for (const Json& extension :
+      root.contains("extensionsRequired") ? root.at("extensionsRequired") : none)
     {
-      Reject(this->Path, "it is cut off, or not a GLB file");
-    }
-    content = this->File.substr(begin + ChunkBytes, this->WordAt(begin));
-    return begin + ChunkBytes + content.size();
-  }
-
-  void Split()
-  {
-    if (this->File.size() < HeaderBytes || this->WordAt(0) != GlbMagic || this->WordAt(4) != 2 ||
-      this->WordAt(8) != this->File.size())
-    {
-      Reject(this->Path, "it is cut off, or not a GLB file of version 2");
-    }
-    std::string json;
-    const std::size_t next = this->ReadChunk(HeaderBytes, JsonChunk, json);
-    this->ReadChunk(next, BinaryChunk, this->Binary);
-    this->Document = Json::parse(json, nullptr, false);
-  }
-
-  void RequireOwn() const
-  {
-    const bool isObject = this->Document.is_object() && this->Document.contains("asset");
-    const std::string generator =
-      isObject ? this->Document["asset"].value("generator", std::string()) : std::string();
-    if (generator.rfind("bonedecimate ", 0) != 0 ||
-      this->Document.at("nodes").at(0).at("extras").at("unit") != "mm")
-    {
-      Reject(this->Path,
-        "it was not written by this program; of other glTF files unit and frame are not known");
+      const auto& name = extension.get_ref<const std::string&>();
+      const bool isKnown = std::any_of(std::begin(HarmlessExtensions), std::end(HarmlessExtensions),
+        [&name](std::string_view start) { return name.rfind(start, 0) == 0; });
+      if (name == DracoExtension)
+      {
+        this->FailOfDraco();
+      }
+      if (!isKnown)
+      {
+        this->Document.Fail("it requires the extension '" + PrintableText(name.substr(0, 100)) +
+          "', which is not read");
+      }
     }
   }
 
-  /// The compressed bytes of an accessor, and how many elements they hold.
-  std::string StreamOf(const Json& accessor, const char* mode, std::size_t& count) const
+  [[noreturn]] void FailOfDraco() const
   {
-    const Json& view = this->Document.at("bufferViews")
-                         .at(accessor.at("bufferView").get<std::size_t>())
-                         .at("extensions")
-                         .at(MeshoptExtension);
-    const auto offset = view.at("byteOffset").get<std::size_t>();
-    const auto length = view.at("byteLength").get<std::size_t>();
-    count = view.at("count").get<std::size_t>();
-    // Both codecs take at least a byte for eight elements, so a damaged count cannot claim much memory.
-    constexpr std::size_t mostPerByte = 8;
-    if (view.at("mode") != mode || offset > this->Binary.size() ||
-      length > this->Binary.size() - offset || count != accessor.at("count").get<std::size_t>() ||
-      count > mostPerByte * length)
-    {
-      Reject(this->Path, "a buffer reaches beyond the file");
-    }
-    return this->Binary.substr(offset, length);
+    this->Document.Fail("it is compressed by Draco (KHR_draco_mesh_compression), which is not "
+                        "read; save it without compression or with EXT_meshopt_compression");
   }
 
-  FilePart ReadPart(const Json& node) const
+  void AddInstance(const GltfInstance& instance)
   {
-    const Json& primitive =
-      this->Document.at("meshes").at(node.at("mesh").get<std::size_t>()).at("primitives").at(0);
-    const Json& accessors = this->Document.at("accessors");
-    const Json& positions =
-      accessors.at(primitive.at("attributes").at("POSITION").get<std::size_t>());
+    const Json& mesh = this->Document.EntryOf("meshes", instance.Node->at("mesh"));
+    const Json none = Json::array();
+    for (const char* owner : { "node", "mesh" })
+    {
+      const Json& holder = std::string_view(owner) == "node" ? *instance.Node : mesh;
+      for (const Json& weight : holder.contains("weights") ? holder.at("weights") : none)
+      {
+        if (weight.get<double>() != 0.0)
+        {
+          this->Document.Fail("a mesh is changed by morph targets, which are not read; a program "
+                              "that applies them and saves the result helps");
+        }
+      }
+    }
+    for (const Json& primitive : mesh.at("primitives"))
+    {
+      constexpr std::size_t bytesOfPrimitive = 256;
+      this->Document.Claim(bytesOfPrimitive);
+      this->AddPrimitive(primitive, instance);
+    }
+  }
+
+  void AddPrimitive(const Json& primitive, const GltfInstance& instance)
+  {
+    const int mode = primitive.value("mode", 4);
+    if (mode >= 0 && mode < 4)
+    {
+      ++this->NoTriangles;
+      return;
+    }
+    if (mode < 0 || mode > 6)
+    {
+      this->Document.Fail("a mesh has primitives of the unknown mode " + std::to_string(mode));
+    }
+    this->HasMorphs = this->HasMorphs || primitive.contains("targets");
+    const Json& attributes = primitive.at("attributes");
+    if (!attributes.contains("POSITION"))
+    {
+      ++this->NoTriangles;
+      return;
+    }
+    this->RequireData(primitive, attributes.at("POSITION"));
+    const GltfNumbers& positions = this->Document.NumbersOf(attributes.at("POSITION"));
+    std::vector<std::uint32_t> corners = this->CornersOf(primitive, positions.Count, mode);
+    if (positions.Components != 3 ||
+      std::any_of(corners.begin(), corners.end(),
+        [&positions](std::uint32_t corner) { return corner >= positions.Count; }))
+    {
+      this->Document.Fail(positions.Components != 3 ? "a position is not three numbers"
+                                                    : "a triangle has a vertex that is not there");
+    }
     FilePart part;
-    std::size_t count = 0;
-    std::vector<PositionStream> whole;
-    const std::string points = this->StreamOf(positions, "ATTRIBUTES", count);
-    if (!DecodePositions(points, count, whole))
+    const std::vector<std::uint32_t> used = UsedPoints(corners);
+    this->Document.Claim(
+      corners.size() * sizeof(corners[0]) + used.size() * sizeof(part.Points[0]));
+    part.Corners = std::move(corners);
+    this->PlacePoints(positions, used, instance.Transform, part);
+    this->AddArrays(attributes, used, instance.Transform, part);
+    this->ReadLabel(*instance.Node, primitive, part);
+    this->Parts.push_back(std::move(part));
+  }
+
+  /// Draco's primitives may have the same data uncompressed.
+  void RequireData(const Json& primitive, const Json& position) const
+  {
+    const bool isDraco =
+      primitive.contains("extensions") && primitive.at("extensions").contains(DracoExtension);
+    if (isDraco && !this->Document.EntryOf("accessors", position).contains("bufferView"))
     {
-      Reject(this->Path, "its positions are damaged");
+      this->FailOfDraco();
     }
-    const auto origin = node.at("translation").get<std::array<double, 3>>();
-    const auto scale = node.at("scale").get<std::array<double, 3>>();
-    for (const PositionStream& p : whole)
+  }
+
+  std::vector<std::uint32_t> CornersOf(const Json& primitive, std::size_t points, int mode)
+  {
+    if (primitive.contains("indices"))
     {
-      part.Points.push_back(
-        { origin[0] + scale[0] * p[0], origin[1] + scale[1] * p[1], origin[2] + scale[2] * p[2] });
+      return TriangleList(this->Document.IndicesOf(primitive.at("indices")), mode);
     }
-    const Json& indices = accessors.at(primitive.at("indices").get<std::size_t>());
-    const std::string stream = this->StreamOf(indices, "TRIANGLES", count);
-    const bool isWhole = count % 3 == 0 && DecodeCorners(stream, count, part.Corners) &&
-      std::all_of(part.Corners.begin(), part.Corners.end(),
-        [&part](std::uint32_t corner) { return corner < part.Points.size(); });
-    if (!isWhole)
+    this->Document.Claim(points * sizeof(std::uint32_t));
+    std::vector<std::uint32_t> corners(std::min<std::size_t>(points, UINT32_MAX));
+    for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      Reject(this->Path, "its triangles are damaged");
+      corners[i] = static_cast<std::uint32_t>(i);
     }
-    this->ReadLabel(node, primitive, part);
-    return part;
+    return TriangleList(corners, mode);
+  }
+
+  static void PlacePoints(const GltfNumbers& positions, const std::vector<std::uint32_t>& used,
+    const GltfTransform& transform, FilePart& part)
+  {
+    const bool isIdentity = transform.IsIdentity();
+    part.Points.reserve(used.size());
+    for (const std::uint32_t point : used)
+    {
+      const double* const p = positions.Values.data() + 3 * std::size_t(point);
+      const std::array<double, 3> position = { p[0], p[1], p[2] };
+      part.Points.push_back(isIdentity ? position : transform.Of(position));
+    }
+    for (std::size_t i = 0; transform.Determinant() < 0.0 && i + 2 < part.Corners.size(); i += 3)
+    {
+      std::swap(part.Corners[i + 1], part.Corners[i + 2]);
+    }
+  }
+
+  void AddArrays(const Json& attributes, const std::vector<std::uint32_t>& used,
+    const GltfTransform& transform, FilePart& part)
+  {
+    for (const auto& [name, accessor] : attributes.items())
+    {
+      const bool isOwn = name.rfind('_', 0) == 0;
+      if (name == "POSITION")
+      {
+        continue;
+      }
+      if (!isOwn && name != "NORMAL" && name != "TEXCOORD_0" && name != "COLOR_0")
+      {
+        this->LeftOut.insert(PrintableText(name));
+        continue;
+      }
+      const GltfNumbers& numbers = this->Document.NumbersOf(accessor);
+      if (!used.empty() && used.back() >= numbers.Count)
+      {
+        this->Document.Fail(
+          "the attribute " + PrintableText(name) + " has fewer values than points");
+      }
+      this->Document.Claim(used.size() * numbers.Components * sizeof(double));
+      PartArray array;
+      array.Components = static_cast<int>(numbers.Components);
+      array.Type = VTK_FLOAT;
+      for (const std::uint32_t point : used)
+      {
+        const auto first = numbers.Values.begin() +
+          static_cast<std::ptrdiff_t>(std::size_t(point) * numbers.Components);
+        array.Values.insert(
+          array.Values.end(), first, first + static_cast<std::ptrdiff_t>(numbers.Components));
+      }
+      const std::string ofArray = Converted(name, transform, array);
+      part.Arrays[ofArray] = std::move(array);
+    }
+  }
+
+  /// As arrays of other formats have it: colors in sRGB, texture coordinates from the lower left. @return The name of the array.
+  static std::string Converted(
+    const std::string& name, const GltfTransform& transform, PartArray& array)
+  {
+    std::vector<double>& values = array.Values;
+    const auto components = static_cast<std::size_t>(array.Components);
+    for (std::size_t i = 0; i + components <= values.size(); i += components)
+    {
+      if (name == "NORMAL" && components == 3)
+      {
+        const std::array<double, 3> normal =
+          transform.OfNormal({ values[i], values[i + 1], values[i + 2] });
+        std::copy(normal.begin(), normal.end(), values.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+      else if (name == "TEXCOORD_0" && components == 2)
+      {
+        values[i + 1] = 1.0 - values[i + 1];
+      }
+      for (std::size_t k = 0; name == "COLOR_0" && k < components; ++k)
+      {
+        values[i + k] =
+          k == 3 ? std::round(255.0 * std::clamp(values[i + k], 0.0, 1.0)) : ByteOf(values[i + k]);
+      }
+    }
+    array.Type = name == "COLOR_0" ? VTK_UNSIGNED_CHAR : VTK_FLOAT;
+    return name == "NORMAL"  ? "Normals"
+      : name == "TEXCOORD_0" ? "TCoords"
+      : name == "COLOR_0"    ? (components == 4 ? "RGBA" : "RGB")
+                             : name;
   }
 
   void ReadLabel(const Json& node, const Json& primitive, FilePart& part) const
   {
-    if (!node.contains("extras"))
+    if (!this->Scene.IsInMillimeters || !node.contains("extras") ||
+      !node.at("extras").contains("label"))
     {
       return;
     }
     NamedLabel label;
     label.Value = node.at("extras").at("label").get<std::int64_t>();
     label.Name = node.value("name", std::string());
-    const Json& color = this->Document.at("materials")
-                          .at(primitive.at("material").get<std::size_t>())
+    const Json& color = this->Document.EntryOf("materials", primitive.at("material"))
                           .at("pbrMetallicRoughness")
                           .at("baseColorFactor");
-    label.Color = LabelColor{ ByteOf(color.at(0).get<double>()), ByteOf(color.at(1).get<double>()),
-      ByteOf(color.at(2).get<double>()) };
+    const auto channel = [&color](std::size_t i)
+    { return static_cast<unsigned char>(ByteOf(color.at(i).get<double>())); };
+    label.Color = LabelColor{ channel(0), channel(1), channel(2) };
     part.Label = label;
   }
 
+  void Warn(std::vector<std::string>& warnings)
+  {
+    warnings.insert(warnings.end(), this->Scene.Warnings.begin(), this->Scene.Warnings.end());
+    if (this->NoTriangles > 0)
+    {
+      warnings.push_back(std::to_string(this->NoTriangles) +
+        (this->NoTriangles == 1 ? " primitive of points or lines is not read"
+                                : " primitives of points or lines are not read"));
+    }
+    if (this->HasMorphs)
+    {
+      warnings.emplace_back("the morph targets of the input, which have no weight, are not read");
+    }
+    std::string names;
+    for (const std::string& name : this->LeftOut)
+    {
+      names += (names.empty() ? "" : ", ") + name.substr(0, 40);
+    }
+    for (const std::string& name : ArraysOfSomeParts(this->Parts))
+    {
+      names += (names.empty() ? "" : ", ") + (name + " (which some meshes lack)").substr(0, 80);
+    }
+    if (!names.empty())
+    {
+      warnings.push_back("attributes of the input that are not kept: " + names.substr(0, 400));
+    }
+    if (this->Document.ExtraBytes() > 0)
+    {
+      warnings.push_back(std::to_string(this->Document.ExtraBytes()) +
+        " bytes behind the contents of the file are not read");
+    }
+  }
+
+  GltfDocument Document;
   const std::string& Path;
-  std::string File;
-  std::string Binary;
-  Json Document;
+  GltfScene Scene;
+  std::vector<FilePart> Parts;
+  std::set<std::string> LeftOut; // attributes that are not kept
+  std::int64_t NoTriangles = 0;  // primitives of points and lines
+  bool HasMorphs = false;
 };
 }
 
-vtkSmartPointer<vtkPolyData> ReadGlbFile(const std::string& path, std::vector<std::string>&)
+vtkSmartPointer<vtkPolyData> ReadGlbFile(
+  const std::string& path, std::vector<std::string>& warnings)
 {
-  return GlbReader(path).Read();
+  return GlbReader(path).Read(warnings);
 }
 }
 

@@ -39,12 +39,16 @@ struct SurfaceFormat
 
   bool NamesUnit =
     false; ///< The file says its unit: surfaces are read and written in mm, whatever --unit is.
+  bool UnitMayDiffer =
+    false; ///< Files of other programs name a unit that may not be meant: --unit tells another.
   bool HasGrid =
     false; ///< Coordinates are whole multiples of a step (PointGrid.h): surfaces are written on such a grid.
   bool IsForPrinting = false; ///< Parts that are not closed are no solids in it.
   bool HoldsLines = false;    ///< Lines and single vertices; those that hold arrays do.
   /// Names of the arrays of points, cells and fields that a file of this surface holds; null: all or none, see HoldsArrays.
   std::set<std::string> (*ArraysHeld)(vtkPolyData* surface) = nullptr;
+  /// Writes in fewer bytes what fewer programs read; null: there is one form only.
+  void (*WriteCompressed)(vtkPolyData* surface, const std::string& path) = nullptr;
   std::string MissingLibrary = {}; ///< What the build lacks to read and write it; empty: nothing.
 
   /// What a file has to pass before a library reads it, which would trust it; null: Read checks all itself.

@@ -5,18 +5,17 @@
 #include "ExitCode.h"
 #include "FileParts.h"
 #include "GlbFiles.h"
+#include "GlbStreams.h"
 #include "MeshoptStreams.h"
 #include "PointGrid.h"
 #include "Report/Report.h"
 #include "TextOutput.h"
 
-#include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -24,51 +23,10 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/// sRGB to linear, both from 0 to 1; glTF's factors and vertex colors are linear.
-double Linear(unsigned char byte)
-{
-  const double value = byte / 255.0;
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
 /// Six digits are more than a byte has.
 double Shortened(double value)
 {
   return std::round(value * 1e6) / 1e6;
-}
-
-std::vector<PositionStream> Quantized(const FilePart& part, const PointGrid& grid)
-{
-  std::vector<PositionStream> stream;
-  stream.reserve(part.Points.size());
-  for (const std::array<double, 3>& point : part.Points)
-  {
-    PositionStream whole = {};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      whole[axis] =
-        static_cast<std::uint16_t>(std::lround((point[axis] - grid.Origin[axis]) / grid.Step));
-    }
-    stream.push_back(whole);
-  }
-  return stream;
-}
-
-std::vector<ColorStream> LinearColors(const FilePart& part, vtkUnsignedCharArray* colors)
-{
-  std::vector<ColorStream> stream;
-  for (const vtkIdType point : part.OriginalPoints)
-  {
-    ColorStream color = { 0, 0, 0, 255 };
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      const unsigned char byte = colors->GetTypedComponent(point, channel);
-      color[static_cast<std::size_t>(channel)] =
-        static_cast<std::uint8_t>(std::lround(255.0 * Linear(byte)));
-    }
-    stream.push_back(color);
-  }
-  return stream;
 }
 
 void PutWord(std::size_t number, std::string& file)
@@ -83,46 +41,56 @@ void PutWord(std::size_t number, std::string& file)
 class GlbComposer
 {
 public:
-  explicit GlbComposer(const PointGrid& grid)
+  /// @param grid Of a compressed file; none: a plain one.
+  explicit GlbComposer(const std::optional<PointGrid>& grid)
     : Grid(grid)
   {
     this->Document["asset"] = { { "version", "2.0" },
       { "generator", std::string("bonedecimate ") + Version() } };
-    const Json extensions = { QuantizationExtension, MeshoptExtension };
-    this->Document["extensionsUsed"] = extensions;
-    this->Document["extensionsRequired"] = extensions;
+    if (grid)
+    {
+      const Json extensions = { QuantizationExtension, MeshoptExtension };
+      this->Document["extensionsUsed"] = extensions;
+      this->Document["extensionsRequired"] = extensions;
+    }
     this->Document["scene"] = 0;
     Json scene;
     scene["nodes"] = Json::array({ 0 });
     this->Document["scenes"] = Json::array({ scene });
-    // Columns: x, y and z of the surface in glTF, where y is up and lengths are meters.
     Json frame;
-    frame["matrix"] = { 0.001, 0, 0, 0, 0, 0, -0.001, 0, 0, 0.001, 0, 0, 0, 0, 0, 1 };
+    frame["matrix"] = FrameMatrix;
     frame["children"] = Json::array();
     frame["extras"]["unit"] = "mm";
     this->Document["nodes"] = Json::array({ frame });
   }
 
-  void Add(const FilePart& part, vtkUnsignedCharArray* colors)
+  void Add(vtkPolyData* surface, const FilePart& part)
   {
-    const CompressedPart compressed = Compress(part.Corners, Quantized(part, this->Grid),
-      colors != nullptr ? LinearColors(part, colors) : std::vector<ColorStream>());
+    std::vector<GlbAttribute> attributes = AttributesOf(surface, part, this->Grid);
+    std::string indices = IndexBytes(part);
+    if (this->Grid)
+    {
+      CompressStreams(part, attributes, indices);
+    }
     const int mesh = this->Count("meshes");
     Json primitive;
-    primitive["attributes"]["POSITION"] = this->AddPositions(compressed);
-    primitive["indices"] = this->AddIndices(compressed);
-    primitive["material"] = this->AddMaterial(part);
-    if (colors != nullptr)
+    for (const GlbAttribute& attribute : attributes)
     {
-      primitive["attributes"]["COLOR_0"] = this->AddColors(compressed);
+      primitive["attributes"][attribute.Name] = this->AddAttribute(attribute, part.Points.size());
     }
+    primitive["indices"] = this->AddIndices(indices, part);
+    primitive["material"] = this->AddMaterial(part);
     Json triangles;
     triangles["primitives"] = Json::array({ primitive });
     this->Document["meshes"].push_back(triangles);
-    const double s = this->Grid.Step;
     const int number = this->Count("nodes");
-    Json node = { { "mesh", mesh }, { "translation", this->Grid.Origin },
-      { "scale", { s, s, s } } };
+    Json node = { { "mesh", mesh } };
+    if (this->Grid)
+    {
+      const double s = this->Grid->Step;
+      node["translation"] = this->Grid->Origin;
+      node["scale"] = { s, s, s };
+    }
     if (part.Label)
     {
       node["name"] = NameOf(*part.Label);
@@ -134,12 +102,16 @@ public:
 
   std::string Compose()
   {
-    Json compressed;
-    compressed["byteLength"] = this->Binary.size();
-    Json fallback;
-    fallback["byteLength"] = this->Decoded;
-    fallback["extensions"][MeshoptExtension]["fallback"] = true;
-    this->Document["buffers"] = Json::array({ compressed, fallback });
+    Json binary;
+    binary["byteLength"] = this->Binary.size();
+    this->Document["buffers"] = Json::array({ binary });
+    if (this->Grid)
+    {
+      Json fallback;
+      fallback["byteLength"] = this->Decoded;
+      fallback["extensions"][MeshoptExtension]["fallback"] = true;
+      this->Document["buffers"].push_back(fallback);
+    }
     std::string json = this->Document.dump();
     json.resize((json.size() + 3) / 4 * 4, ' ');
     std::string file;
@@ -174,7 +146,7 @@ private:
     Json factor = Json::array();
     for (const unsigned char byte : color)
     {
-      factor.push_back(Shortened(Linear(byte)));
+      factor.push_back(Shortened(LinearColor(byte)));
     }
     factor.push_back(1.0);
     Json material;
@@ -184,23 +156,59 @@ private:
     return number;
   }
 
-  /// @param stream Its bytes decoded: count x stride.
-  int AddView(const std::string& bytes, std::size_t count, std::size_t stride, const char* mode)
+  /// The last number of two bytes restarts primitives.
+  static bool HasShortIndices(const FilePart& part) { return part.Points.size() <= UINT16_MAX; }
+
+  static std::string IndexBytes(const FilePart& part)
+  {
+    std::string bytes;
+    for (const std::uint32_t corner : part.Corners)
+    {
+      for (int shift = 0; shift < (HasShortIndices(part) ? 16 : 32); shift += 8)
+      {
+        bytes += static_cast<char>(corner >> shift & 0xFF);
+      }
+    }
+    return bytes;
+  }
+
+  static void CompressStreams(
+    const FilePart& part, std::vector<GlbAttribute>& attributes, std::string& indices)
+  {
+    std::vector<PointStream> streams;
+    for (const GlbAttribute& attribute : attributes)
+    {
+      streams.push_back(attribute.Stream);
+    }
+    CompressedPart compressed = Compress(part.Corners, streams);
+    for (std::size_t i = 0; i < attributes.size(); ++i)
+    {
+      attributes[i].Stream.Bytes = std::move(compressed.Streams[i]);
+    }
+    indices = std::move(compressed.Indices);
+  }
+
+  /// @param stride Of an element that is not compressed.
+  int AddView(const std::string& bytes, std::size_t count, std::size_t stride, bool isIndex)
   {
     constexpr int arrayBuffer = 34962;
     constexpr int elementArrayBuffer = 34963;
     const int number = this->Count("bufferViews");
-    const bool isIndex = std::string(mode) == "TRIANGLES";
-    Json view = { { "buffer", 1 }, { "byteOffset", this->Decoded },
+    Json view = { { "buffer", this->Grid ? 1 : 0 },
+      { "byteOffset", this->Grid ? this->Decoded : this->Binary.size() },
       { "byteLength", count * stride } };
     if (!isIndex)
     {
       view["byteStride"] = stride;
     }
     view["target"] = isIndex ? elementArrayBuffer : arrayBuffer;
-    view["extensions"][MeshoptExtension] = { { "buffer", 0 }, { "byteOffset", this->Binary.size() },
-      { "byteLength", bytes.size() }, { "byteStride", stride }, { "count", count },
-      { "mode", mode } };
+    if (this->Grid)
+    {
+      view["extensions"][MeshoptExtension] = { { "buffer", 0 },
+        { "byteOffset", this->Binary.size() }, { "byteLength", bytes.size() },
+        { "byteStride", stride }, { "count", count },
+        { "mode", isIndex ? "TRIANGLES" : "ATTRIBUTES" } };
+    }
     this->Document["bufferViews"].push_back(view);
     this->Binary += bytes;
     this->Binary.resize((this->Binary.size() + 3) / 4 * 4);
@@ -214,56 +222,50 @@ private:
     return this->Count("accessors") - 1;
   }
 
-  int AddPositions(const CompressedPart& part)
+  int AddAttribute(const GlbAttribute& attribute, std::size_t points)
   {
-    const int view =
-      this->AddView(part.Positions, part.NumberOfPoints, sizeof(PositionStream), "ATTRIBUTES");
-    return this->AddAccessor({ { "bufferView", view }, { "componentType", UnsignedShort },
-      { "count", part.NumberOfPoints }, { "type", "VEC3" }, { "min", part.Least },
-      { "max", part.Most } });
+    Json accessor = { { "bufferView",
+                        this->AddView(
+                          attribute.Stream.Bytes, points, attribute.Stream.Stride, false) },
+      { "componentType", attribute.ComponentType } };
+    if (attribute.IsNormalized)
+    {
+      accessor["normalized"] = true;
+    }
+    accessor["count"] = points;
+    accessor["type"] = "VEC" + std::to_string(attribute.Components);
+    if (!attribute.Least.empty())
+    {
+      accessor["min"] = attribute.Least;
+      accessor["max"] = attribute.Most;
+    }
+    return this->AddAccessor(accessor);
   }
 
-  int AddColors(const CompressedPart& part)
+  int AddIndices(const std::string& bytes, const FilePart& part)
   {
-    constexpr int unsignedByte = 5121;
-    const int view =
-      this->AddView(part.Colors, part.NumberOfPoints, sizeof(ColorStream), "ATTRIBUTES");
-    return this->AddAccessor({ { "bufferView", view }, { "componentType", unsignedByte },
-      { "normalized", true }, { "count", part.NumberOfPoints }, { "type", "VEC4" } });
-  }
-
-  int AddIndices(const CompressedPart& part)
-  {
-    constexpr std::size_t mostShort = 65535; // the last number restarts primitives
-    const bool isShort = part.NumberOfPoints <= mostShort;
-    const int view =
-      this->AddView(part.Indices, part.NumberOfCorners, isShort ? 2 : 4, "TRIANGLES");
+    constexpr int unsignedShort = 5123;
+    constexpr int unsignedInt = 5125;
+    const bool isShort = HasShortIndices(part);
+    const int view = this->AddView(bytes, part.Corners.size(), isShort ? 2 : 4, true);
     return this->AddAccessor(
-      { { "bufferView", view }, { "componentType", isShort ? UnsignedShort : UnsignedInt },
-        { "count", part.NumberOfCorners }, { "type", "SCALAR" } });
+      { { "bufferView", view }, { "componentType", isShort ? unsignedShort : unsignedInt },
+        { "count", part.Corners.size() }, { "type", "SCALAR" } });
   }
 
-  PointGrid Grid;
+  std::optional<PointGrid> Grid;
   Json Document;
   std::string Binary;
   std::size_t Decoded = 0; // bytes
 };
-}
 
-void WriteGlbFile(vtkPolyData* surface, const std::string& path)
+void WriteDocument(
+  vtkPolyData* surface, const std::optional<PointGrid>& grid, const std::string& path)
 {
-  const std::optional<PointGrid> grid = FindGrid(surface);
-  if (!grid)
-  {
-    throw Failure(
-      ExitCode::CouldNotWrite, "the points are not on one grid of 65536 steps, which glb needs");
-  }
-  auto* colors =
-    vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetAbstractArray(VertexColorArray));
-  GlbComposer composer(*grid);
+  GlbComposer composer(grid);
   for (const FilePart& part : PartsOf(surface))
   {
-    composer.Add(part, colors);
+    composer.Add(surface, part);
   }
   const std::string file = composer.Compose();
   std::ofstream stream(path, std::ios::binary | std::ios::trunc);
@@ -273,6 +275,23 @@ void WriteGlbFile(vtkPolyData* surface, const std::string& path)
   {
     throw Failure(ExitCode::CouldNotWrite, WriteProblem());
   }
+}
+}
+
+void WriteGlbFile(vtkPolyData* surface, const std::string& path)
+{
+  WriteDocument(surface, {}, path);
+}
+
+void WriteCompressedGlbFile(vtkPolyData* surface, const std::string& path)
+{
+  const std::optional<PointGrid> grid = FindGrid(surface);
+  if (!grid)
+  {
+    throw Failure(ExitCode::CouldNotWrite,
+      "the points are not on one grid of 65536 steps, which compressed glb needs");
+  }
+  WriteDocument(surface, grid, path);
 }
 }
 
