@@ -45,6 +45,7 @@ SEED = 48
 class Variant:
     def __init__(self, number, choices, grammar, folder):
         self.choices = choices
+        self.rounding = getattr(grammar, "ROUNDING", 0.0)
         content, self.truth = grammar.make(choices, random.Random(f"{SEED} {grammar.__name__} {number}"))
         self.path = folder / f"{number:05}.{grammar.EXTENSION}"
         self.path.write_bytes(content)
@@ -57,20 +58,25 @@ def make_variants(name, count, folder):
 
 
 def kinds_of(variant, found, tolerance):
+    """tolerance: None for the program, which has every bit."""
     if found.get("error"):
         return [] if variant.truth.rejected else ["rejected"]
     if variant.truth.rejected:
         return ["not rejected"]
     try:
-        return compare.differences(variant.truth, readings.reading_of(found), tolerance)
+        used = variant.rounding if tolerance is None else tolerance
+        return compare.differences(variant.truth, readings.reading_of(found), used, tolerance is None)
     except (ValueError, IndexError, TypeError, KeyError) as error:
         return ["unreadable: " + type(error).__name__]
 
 
-def read_all(worker, variants, tolerance):
-    """For each variant the kinds of differences, and the answer if there are some."""
+def read_all(workers_of_reader, variants, tolerance):
+    """For each variant the kinds of differences, and the answer if there are some; by the first worker that is there."""
+    answers = None
+    for worker in workers_of_reader:
+        answers = answers or worker.read_all([variant.path for variant in variants])
     rows = []
-    for variant, found in zip(variants, worker.read_all([variant.path for variant in variants])):
+    for variant, found in zip(variants, answers or []):
         kinds = kinds_of(variant, found, tolerance)
         rows.append((kinds, found if kinds else None))
     return rows
@@ -95,28 +101,31 @@ class ProgramWorker:
 
 
 def other_readers(arguments, extension):
-    """name -> worker and tolerance, of this Python and of --python."""
+    """name -> workers and tolerance, of this Python and of --python."""
+    pythons = [sys.executable] + ([arguments.python] if arguments.python else [])
     found = {}
-    for python in dict.fromkeys([sys.executable] + ([arguments.python] if arguments.python else [])):
-        for name, (extensions, tolerance) in READERS.items():
-            key = name if name != "vtk" else "vtk of Debian" if python == sys.executable else "vtk of PyPI"
-            if extension in extensions and key not in found and (not arguments.readers or key in arguments.readers):
-                worker = workers.worker_of(python, name)
-                if worker is not None:
-                    found[key] = (worker, tolerance)
+    for name, (extensions, tolerance) in READERS.items():
+        if extension not in extensions:
+            continue
+        keys = {name: pythons[::-1]} if name != "vtk" else dict(zip(("vtk of Debian", "vtk of PyPI"), [[p] for p in pythons]))
+        for key, of_key in keys.items():
+            if not arguments.readers or key in arguments.readers:
+                found[key] = ([workers.worker_of(python, name) for python in of_key], tolerance)
     return found
 
 
 def read_with_all(arguments, variants, extension, folder):
     driver = str(pathlib.Path(arguments.program).with_name("bonedecimate-read-surfaces"))
-    tasks = {"ours": (workers.Worker([driver], False), variants, 0)}
+    tasks = {"ours": ([workers.Worker([driver], False)], variants, None)}
     if arguments.by_program:
-        tasks["program"] = (ProgramWorker(arguments.program, folder), variants[:: -(-len(variants) // arguments.by_program)], 0)
-    for name, (worker, tolerance) in other_readers(arguments, extension).items():
-        tasks[name] = (worker, variants, tolerance)
-    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        some = variants[:: -(-len(variants) // arguments.by_program)]
+        tasks["program"] = ([ProgramWorker(arguments.program, folder)], some, None)
+    for name, (of_reader, tolerance) in other_readers(arguments, extension).items() if not arguments.own else ():
+        tasks[name] = (of_reader, variants, tolerance)
+    with concurrent.futures.ThreadPoolExecutor(4) as pool:
         futures = {name: pool.submit(read_all, *task) for name, task in tasks.items()}
-        return {name: list(zip(tasks[name][1], future.result())) for name, future in futures.items()}
+        results = {name: list(zip(tasks[name][1], future.result())) for name, future in futures.items()}
+        return {name: rows for name, rows in results.items() if rows}
 
 
 class Table:
@@ -207,6 +216,7 @@ def main():
     parser.add_argument("--readers", action="append", help="of others; default: all that are there")
     parser.add_argument("--by-program", type=int, default=40, help="variants that the program itself reads, too")
     parser.add_argument("--keep", help="folder for the files")
+    parser.add_argument("--own", action="store_true", help="the program's readers alone")
     parser.add_argument("--analyze", action="store_true", help="which choices predict differences without an explanation")
     arguments = parser.parse_args()
     arguments.program = str(pathlib.Path(arguments.program).resolve())

@@ -20,11 +20,10 @@ def turned(face):
 
 
 class Comparison:
-    """tolerance: of coordinates, relative to the largest; 0: every bit, every order and every array."""
+    """tolerance: of coordinates, relative to the largest. is_exact: every order and every array."""
 
-    def __init__(self, truth, reading, tolerance):
-        self.truth, self.reading, self.tolerance = truth, reading, tolerance
-        self.is_exact = tolerance == 0
+    def __init__(self, truth, reading, tolerance, is_exact):
+        self.truth, self.reading, self.tolerance, self.is_exact = truth, reading, tolerance, is_exact
 
     def kinds(self):
         try:
@@ -41,6 +40,9 @@ class Comparison:
     def match_points(self):
         """The vertex that each point is; faces do not name others."""
         truth = np.asarray(self.truth.points, float)
+        first = {}
+        self.canonical = [first.setdefault(point, number) for number, point in enumerate(self.truth.points)]
+        self.faces = [tuple(self.canonical[v] for v in face) for face in self.truth.faces]
         found = np.asarray(self.reading.points, float).reshape(-1, 3)
         if not len(found) or not np.isfinite(found).all():
             raise Difference("points")
@@ -58,11 +60,11 @@ class Comparison:
         """The face that each polygon or triangle that was read is of."""
         found = [tuple(int(self.vertex_of[v]) for v in face) for face in self.reading.faces]
         if self.is_exact:
-            if found != self.truth.faces:
+            if found != self.faces:
                 raise Difference("faces")
             return list(range(len(found)))
         numbers = collections.defaultdict(list)
-        for number, face in enumerate(self.truth.faces):
+        for number, face in enumerate(self.faces):
             numbers[turned(face)].append(number)
         result, pieces = [None] * len(found), []
         for i, face in enumerate(found):
@@ -78,13 +80,13 @@ class Comparison:
     def match_pieces(self, found, pieces, left, result):
         """Triangles whose edges add up to those of a polygon."""
         for number in left:
-            corners = set(self.truth.faces[number])
+            corners = set(self.faces[number])
             of_face = [i for i in pieces if set(found[i]) <= corners]
             edges = collections.Counter()
             for i in of_face:
                 for a, b in zip(found[i], found[i][1:] + found[i][:1]):
                     edges[min(a, b), max(a, b)] += 1 if a < b else -1
-            face = self.truth.faces[number]
+            face = self.faces[number]
             for a, b in zip(face, face[1:] + face[:1]):
                 edges[min(a, b), max(a, b)] -= 1 if a < b else -1
             if any(edges.values()) or len(of_face) != len(face) - 2:
@@ -98,7 +100,7 @@ class Comparison:
     def expected_at(self, values, i):
         """Of the corners of the face that was read, in its order."""
         number = self.face_of[i]
-        place = {v: k for k, v in enumerate(self.truth.faces[number])}
+        place = {v: k for k, v in enumerate(self.faces[number])}
         return [values[number][place[int(self.vertex_of[v])]] for v in self.reading.faces[i]]
 
     def is_near(self, expected, found, step=1e-6):
@@ -108,6 +110,8 @@ class Comparison:
             size = min(len(expected), len(found))
             return np.allclose(expected[:size], found[:size], rtol=step, atol=step)
         found = tuple(map(float, found))
+        if self.tolerance > 0:
+            return len(found) == len(expected) and np.allclose(expected, found, rtol=2e-7, atol=2e-7)
         return found == tuple(map(float, expected)) or found == tuple(map(float, np.float32(expected)))
 
     def has_same_corners(self, name):
@@ -125,8 +129,11 @@ class Comparison:
         kinds = []
         for name, values in self.truth.point_arrays.items():
             found = self.reading.point_arrays.get(name)
+            of_corners = [[values[v] for v in face] for face in self.truth.faces]
             same = found is not None and all(
-                self.same_value(values[int(self.vertex_of[v])], found[v]) for face in self.reading.faces for v in face
+                self.same_value(wanted, found[v])
+                for i, face in enumerate(self.reading.faces)
+                for wanted, v in zip(self.expected_at(of_corners, i), face)
             )
             kinds += [] if same or (found is None and not self.is_exact) else ["array " + name]
         for name, values in self.truth.cell_arrays.items():
@@ -148,8 +155,11 @@ class Comparison:
         def cells(read):
             return [tuple(int(self.vertex_of[v]) for v in cell) for cell in read]
 
-        kinds += ["lines"] if cells(reading.lines) != truth.lines else []
-        kinds += ["vertices"] if cells(reading.vertices) != truth.vertices else []
+        def cells_of_truth(written):
+            return [tuple(self.canonical[v] for v in cell) for cell in written]
+
+        kinds += ["lines"] if cells(reading.lines) != cells_of_truth(truth.lines) else []
+        kinds += ["vertices"] if cells(reading.vertices) != cells_of_truth(truth.vertices) else []
         kinds += ["frame"] if reading.frame != truth.frame else []
         for name, values in truth.field_arrays.items():
             kinds += ["field " + name] if list(reading.field_arrays.get(name, [])) != list(values) else []
@@ -163,5 +173,5 @@ class Comparison:
         return ["type of " + name for name, kind in types.items() if self.reading.types.get(name, kind) != kind]
 
 
-def differences(truth, reading, tolerance):
-    return Comparison(truth, reading, tolerance).kinds()
+def differences(truth, reading, tolerance, is_exact):
+    return Comparison(truth, reading, tolerance, is_exact).kinds()

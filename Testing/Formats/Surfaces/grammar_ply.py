@@ -4,7 +4,7 @@
 
 import struct
 
-from truth import ALL_SHAPES, LINE_ENDS, NUMBERS, make_shape, single, spell
+from truth import ALL_SHAPES, LINE_ENDS, NUMBERS, make_shape, single, spell, strips_of
 
 EXTENSION = "ply"
 # name of PLY, the later name, struct, VTK's name, most
@@ -62,6 +62,8 @@ class Writer:
         self.choices, self.generator = choices, generator
         as_single = choices["coordinates"] == "float"
         self.truth = make_shape(choices["shape"], generator, as_single=as_single, triangles=choices["strips"] != "no")
+        if choices["strips"] != "no":
+            self.strip_rows, self.truth.faces = strips_of(self.truth.faces)
         if choices["unused"] == "yes":
             self.truth.points.append(tuple(single(c + 50.0) for c in self.truth.points[0]))
 
@@ -173,9 +175,9 @@ class Writer:
         behind.append(("texcoord", "float", lists, "uchar"))
 
     def strips(self):
-        """Each triangle as a strip of its own, in one list with -1 behind each, or in a list each; some turned to be strips of 4."""
+        """In one list with -1 behind each strip, or in a list each."""
         element = Element("tristrips", 1)
-        faces = self.truth.faces
+        faces = self.strip_rows
         if self.choices["strips"] == "restarts":
             numbers = []
             for face in faces:

@@ -122,3 +122,20 @@ def spaced(words, blanks, generator):
     between = {"tab": "\t", "no-break": "\u00a0"}.get(blanks, " ")
     line = between.join(words)
     return {"indented": "  \t" + line, "trailing": line + " \t "}.get(blanks, line)
+
+
+def strips_of(triangles):
+    """Strips of two triangles where the next one goes on as a fan, otherwise of one, and their triangles as a reader has them."""
+    strips, faces, i = [], [], 0
+    while i < len(triangles):
+        a, b, c = triangles[i]
+        if i + 1 < len(triangles) and triangles[i + 1][:2] == (a, c):
+            d = triangles[i + 1][2]
+            strips.append((b, c, a, d))
+            faces += [(b, c, a), (c, d, a)]
+            i += 2
+        else:
+            strips.append((a, b, c))
+            faces.append((a, b, c))
+            i += 1
+    return strips, faces

@@ -9,7 +9,7 @@ import tempfile
 import time
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-SECONDS = 120  # without an answer: the machine may be busy
+SECONDS = 20  # without an answer; the machine may be busy
 FAILED = {"error": "it crashes or hangs"}
 
 
@@ -20,7 +20,7 @@ class Worker:
         self.command, self.has_greeting = command, has_greeting
 
     def run(self, paths):
-        """The answers that came before it ended."""
+        """The answers that came before it ended; None if it did not begin."""
         with tempfile.TemporaryFile("w+", encoding="utf-8") as questions, tempfile.TemporaryFile("w+", encoding="utf-8") as answers:
             questions.writelines(f"{path}\n" for path in paths)
             questions.seek(0)
@@ -34,24 +34,22 @@ class Worker:
                     process.kill()
             answers.seek(0)
             lines = [line for line in answers if line.endswith("\n")]
-            return lines[1:] if self.has_greeting and lines else lines
-
-    def is_there(self):
-        with tempfile.TemporaryFile("w+", encoding="utf-8") as answers:
-            subprocess.run(self.command, stdin=subprocess.DEVNULL, stdout=answers, stderr=subprocess.DEVNULL, check=False)
-            return answers.seek(0, 2) > 0
+            if self.has_greeting and not lines:
+                return None
+            return lines[1:] if self.has_greeting else lines
 
     def read_all(self, paths):
-        """An answer for each."""
+        """An answer for each; None if the reader is not there."""
         answers = []
         while len(answers) < len(paths):
-            answers += [json.loads(line) for line in self.run(paths[len(answers) :])]
+            found = self.run(paths[len(answers) :])
+            if found is None:
+                return None
+            answers += [json.loads(line) for line in found]
             if len(answers) < len(paths):
                 answers.append(FAILED)
         return answers
 
 
 def worker_of(python, reader):
-    """None if that Python does not have the reader."""
-    worker = Worker([python, "-B", str(FOLDER / "read_with.py"), reader])
-    return worker if worker.is_there() else None
+    return Worker([python, "-B", str(FOLDER / "read_with.py"), reader])
