@@ -35,10 +35,11 @@ READERS = {
     "vtk": (("obj", "ply", "stl", "vtk", "vtp", "glb"), SINGLE),
     "trimesh": (("obj", "ply", "stl", "3mf", "glb"), SINGLE),
     "pymeshlab": (("obj", "ply", "stl", "3mf", "glb"), SINGLE),
-    "meshio": (("obj", "ply", "stl"), SINGLE),
     "assimp": (("obj", "ply", "stl", "3mf", "glb"), SINGLE),
     "lib3mf": (("3mf",), SINGLE),
 }
+# Give coordinates in the unit of the file, which lib3mf and the program make millimeters.
+IN_UNIT_OF_FILE = ("trimesh", "pymeshlab", "assimp")
 SEED = 48
 
 
@@ -52,9 +53,11 @@ class Variant:
 
 
 def make_variants(name, count, folder):
+    """At least count; a count below those of all pairs gives some of them, evenly."""
     grammar = importlib.import_module("grammar_" + name)
-    rows = pairwise.variants(grammar.CHOICES, count, SEED, grammar.UNIFORM)
-    return [Variant(i, row, grammar, folder) for i, row in enumerate(rows)]
+    rows = list(enumerate(pairwise.variants(grammar.CHOICES, count, SEED, grammar.UNIFORM)))
+    chosen = rows if count == 0 else [rows[i * len(rows) // count] for i in range(count)] if count < len(rows) else rows
+    return [Variant(number, row, grammar, folder) for number, row in chosen]
 
 
 def kinds_of(variant, found, tolerance):
@@ -70,13 +73,21 @@ def kinds_of(variant, found, tolerance):
         return ["unreadable: " + type(error).__name__]
 
 
-def read_all(workers_of_reader, variants, tolerance):
+def in_millimeters(found, unit):
+    """The answer with its points in the unit of the truth."""
+    if unit != 1.0 and "points" in found:
+        found["points"] = [[c * unit for c in point] for point in found["points"]]
+    return found
+
+
+def read_all(workers_of_reader, variants, tolerance, reader):
     """For each variant the kinds of differences, and the answer if there are some; by the first worker that is there."""
     answers = None
     for worker in workers_of_reader:
         answers = answers or worker.read_all([variant.path for variant in variants])
     rows = []
     for variant, found in zip(variants, answers or []):
+        found = in_millimeters(found, variant.truth.unit) if reader in IN_UNIT_OF_FILE else found
         kinds = kinds_of(variant, found, tolerance)
         rows.append((kinds, found if kinds else None))
     return rows
@@ -123,7 +134,7 @@ def read_with_all(arguments, variants, extension, folder):
     for name, (of_reader, tolerance) in other_readers(arguments, extension).items() if not arguments.own else ():
         tasks[name] = (of_reader, variants, tolerance)
     with concurrent.futures.ThreadPoolExecutor(4) as pool:
-        futures = {name: pool.submit(read_all, *task) for name, task in tasks.items()}
+        futures = {name: pool.submit(read_all, *task, name) for name, task in tasks.items()}
         results = {name: list(zip(tasks[name][1], future.result())) for name, future in futures.items()}
         return {name: rows for name, rows in results.items() if rows}
 
@@ -146,39 +157,38 @@ class Table:
                 self.unexplained.append((reader, kind, variant, found))
 
 
-def analyze(table, all_results):
+def analyze(table, all_results, grammar):
     """The choices that predict the differences without an explanation, to find their cause."""
     groups = collections.defaultdict(list)
     for reader, kind, variant, found in table.unexplained:
         groups[reader, kind].append((variant, found))
+
+    def unusual(variant):
+        return [i for i in variant.choices.items() if i[0] in grammar.UNIFORM or i[1] != grammar.CHOICES[i[0]][0]]
+
     for (reader, kind), members in sorted(groups.items(), key=lambda g: g[0]):
-        error = str(members[0][1].get("error"))[:150].replace("\n", " ")
-        print(f"\n{reader}: {kind}, {len(members)} variants; {members[0][0].path.name}: {error}")
+        members.sort(key=lambda m: len(unusual(m[0])))
+        print(f"\n{reader}: {kind}, {len(members)} variants")
         failing = {id(v) for v, kinds in all_results[reader] if kinds[0]}
-        left = [v for v, _ in members]
         everything = [v for v, _ in all_results[reader]]
-        while left:
-            predictors = [(key, covered_by(key, left)) for key in predictors_of(left[0], everything, failing)]
-            key, covered = max(predictors, key=lambda p: (len(p[1]), -len(p[0])), default=(None, left[:1]))
-            print("   ", dict(key) if key else "?", len(covered), covered[0].path.name)
-            left = [v for v in left if v not in covered]
+        while members:
+            variant, found = members[0]
+            keys = predictors_of(unusual(variant), everything, failing)
+            key = max(keys, key=lambda k: sum(has(v, k) for v, _ in members), default=None)
+            covered = [m for m in members if key and has(m[0], key)] or members[:1]
+            error = str(found.get("error"))[:110].replace("\n", " ").replace(str(variant.path), "")
+            print("   ", dict(key) if key else ("?", dict(unusual(variant))), len(covered), variant.path.name, error if kind == "rejected" else "")
+            members = [m for m in members if m not in covered]
 
 
 def has(variant, key):
     return all(variant.choices[name] == value for name, value in key)
 
 
-def covered_by(key, variants):
-    return [v for v in variants if has(v, key)]
-
-
-def predictors_of(variant, everything, failing):
+def predictors_of(items, everything, failing):
     """Choices, alone or by two, with which every variant differs."""
-    items = list(variant.choices.items())
     for size in (1, 2):
-        found = [
-            key for key in itertools.combinations(items, size) if all(id(v) in failing for v in everything if has(v, key))
-        ]
+        found = [key for key in itertools.combinations(items, size) if all(id(v) in failing for v in everything if has(v, key))]
         if found:
             return found
     return []
@@ -203,7 +213,7 @@ def compare_format(arguments, name):
             flush=True,
         )
         if arguments.analyze:
-            analyze(table, results)
+            analyze(table, results, importlib.import_module("grammar_" + name))
     return table
 
 
@@ -211,7 +221,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True, help="bonedecimate; bonedecimate-read-surfaces is beside it")
     parser.add_argument("--format", action="append", choices=FORMATS, help="default: all")
-    parser.add_argument("--variants", type=int, default=2000)
+    parser.add_argument("--variants", type=int, default=2000, help="0: all pairs and single values alone")
     parser.add_argument("--python", help="Python of the environment of requirements.txt")
     parser.add_argument("--readers", action="append", help="of others; default: all that are there")
     parser.add_argument("--by-program", type=int, default=40, help="variants that the program itself reads, too")

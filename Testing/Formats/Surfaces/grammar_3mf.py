@@ -69,7 +69,7 @@ class Writer:
         self.shape = make_shape(choices["shape"], generator, triangles=True, as_single=True)
         self.ids = {"usual": [1, 2, 3, 4, 5], "large": [1000001, 2147483647, 7, 90, 12345], "not in order": [5, 3, 4, 2, 1]}[choices["ids"]]
         self.prefix = {"none": "", "core": "core:", "m": "m:"}[choices["prefix"]]
-        self.truth = Truth([], [])
+        self.truth = Truth([], [], unit=UNITS.get(choices["unit"], 1.0))
         self.parts = {}
 
     # What the build makes, as points and faces.

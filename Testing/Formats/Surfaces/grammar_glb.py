@@ -264,7 +264,10 @@ class Writer:
 
     def scene_nodes(self):
         choices = self.choices
-        properties, rows = node_of(choices["node"])
+        kind = choices["node"]
+        if choices["tree"] == "mesh in the parent" and kind == "plain":
+            kind = "translation"  # beside the mesh of the parent
+        properties, rows = node_of(kind)
         mesh, parts = self.mesh(self.shape.points, self.shape.faces)
         around, outer = node_of(choices["parent"])
         has_parent = choices["parent"] != "none"

@@ -66,7 +66,7 @@ class Writer:
     def line(self, *words):
         words = list(map(str, words))
         if self.choices["case"] == "lower" and words and words[0] != "#":
-            words = [w.lower() if w.isupper() and len(w) > 1 else w for w in words]
+            words = [w.lower() if w.isupper() and len(w) > 1 and w not in ("SPACE", "RAS", "LPS") else w for w in words]
         self.out += (" ".join(words) + self.end).encode()
 
     def values(self, kind, rows):
@@ -207,7 +207,7 @@ class Writer:
         else:
             self.line(text.replace(" ", "%20"))
         if name == "SPACE":
-            self.truth.frame = choice
+            self.truth.frame = self.truth.frame or choice  # the title has it first, as in 3D Slicer
         else:
             self.truth.field_arrays[name] = [text]
 
@@ -253,8 +253,6 @@ class Writer:
                 self.blank()
                 self.line("POINT_DATA" if of_points else "CELL_DATA", count)
                 self.attribute(of_points, count)
-        if choices["field"] in ("RAS", "LPS"):
-            truth.frame = truth.frame if choices["title"] in ("RAS", "LPS") else choices["field"]
         if choices["last line"] == "without end" and self.out.endswith(self.end.encode()):
             self.out = self.out[: -len(self.end)]
         return self.out, truth

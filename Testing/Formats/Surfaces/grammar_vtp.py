@@ -98,8 +98,10 @@ class Writer:
         head = self.head(len(blocks), size, last, *map(len, small))
         return encode(head) + encode(b"".join(small))
 
-    def array(self, kind, name, rows, components=None):
+    def array(self, kind, name, rows, components=None, values=None):
         attributes = {"type": kind, "Name": name}
+        if values:
+            attributes["NumberOfTuples"] = values
         components = components or (len(rows[0]) if rows else 1)
         if components > 1:
             attributes["NumberOfComponents"] = components
@@ -240,7 +242,7 @@ class Writer:
             return
         self.tag("FieldData")
         if choice == "numbers":
-            self.array("Float64", "Patient", [(1.5,), (2.5,)])
+            self.array("Float64", "Patient", [(1.5,), (2.5,)], values=2)
             self.truth.field_arrays["Patient"] = [1.5, 2.5]
         else:
             name, text = ("Note", "a name") if choice == "text" else ("SPACE", choice)
@@ -255,6 +257,8 @@ class Writer:
 
     def write(self):
         choices, truth = self.choices, self.truth
+        if choices["pieces"] == "two" and choices["cells"] == "both" and choices["arrays of cells"] != "none":
+            truth.rejected = "VTK's reader mixes up the arrays of polygons and strips"
         groups = self.pieces()
         first = len(truth.vertices) + len(truth.lines)
         points = self.planned(True, len(truth.points))

@@ -32,7 +32,7 @@ def make_trimesh():
         return result
 
     def read(path):
-        loaded = trimesh.load(str(path), process=False, maintain_order=True)
+        loaded = trimesh.load(str(path), process=False)
         if isinstance(loaded, trimesh.Trimesh):
             return of_mesh(loaded, None)
         parts = []
@@ -88,24 +88,6 @@ def make_pymeshlab():
                 part["uv"] = {"of": "points", "values": rows(mesh.vertex_tex_coord_matrix())}
             parts.append(part)
         return join(parts)
-
-    return read
-
-
-def make_meshio():
-    import meshio
-
-    def read(path):
-        mesh = meshio.read(str(path))
-        faces = [face.tolist() for block in mesh.cells if block.type in ("triangle", "quad", "polygon") for face in block.data]
-        result = {"points": rows(mesh.points), "faces": faces}
-        for name, keys in (("uv", ("obj:vt",)), ("normals", ("obj:vn",))):
-            for key in keys:
-                if key in mesh.point_data and len(mesh.point_data[key]) == len(mesh.points):
-                    result[name] = {"of": "points", "values": rows(mesh.point_data[key])}
-        plain = {n: {"components": int(np.prod(v.shape[1:])), "values": rows(v.reshape(-1))} for n, v in mesh.point_data.items()}
-        result["point_data"] = plain
-        return result
 
     return read
 

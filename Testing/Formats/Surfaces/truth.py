@@ -41,6 +41,7 @@ class Truth:
     lines: list = dataclasses.field(default_factory=list)
     vertices: list = dataclasses.field(default_factory=list)
     frame: str = ""
+    unit: float = 1.0  # of the coordinates in the file, in those of points
     types: dict = dataclasses.field(default_factory=dict)  # of arrays, as VTK names them
     rejected: str = ""  # why the file breaks its specification
     words: tuple = ()  # options of the program, such as --unit
