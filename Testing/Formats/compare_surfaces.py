@@ -29,13 +29,14 @@ import readings  # noqa: E402
 import workers  # noqa: E402
 
 FORMATS = ["obj", "ply", "stl", "stl_binary", "vtk", "vtp", "3mf", "glb"]
-SINGLE, DOUBLE = 4e-7, 1e-15
-# Readers of others: name -> formats and tolerance. Those of VTK are there once for each Python.
+SINGLE = 4e-7
+# Readers of others: name -> formats and tolerance. Those of VTK are there once for each Python. MeshLab does not end on many variants
+# of STL text.
 READERS = {
-    "vtk": (("obj", "ply", "stl", "vtk", "vtp", "glb"), SINGLE),
-    "trimesh": (("obj", "ply", "stl", "3mf", "glb"), SINGLE),
-    "pymeshlab": (("obj", "ply", "stl", "3mf", "glb"), SINGLE),
-    "assimp": (("obj", "ply", "stl", "3mf", "glb"), SINGLE),
+    "vtk": (("obj", "ply", "stl", "stl_binary", "vtk", "vtp", "glb"), SINGLE),
+    "trimesh": (("obj", "ply", "stl", "stl_binary", "3mf", "glb"), SINGLE),
+    "pymeshlab": (("obj", "ply", "stl_binary", "3mf", "glb"), SINGLE),
+    "assimp": (("obj", "ply", "stl", "stl_binary", "3mf", "glb"), SINGLE),
     "lib3mf": (("3mf",), SINGLE),
 }
 # Give coordinates in the unit of the file, which lib3mf and the program make millimeters.
@@ -111,12 +112,12 @@ class ProgramWorker:
         return done.stderr if done.returncode != 0 else ""
 
 
-def other_readers(arguments, extension):
+def other_readers(arguments, form):
     """name -> workers and tolerance, of this Python and of --python."""
     pythons = [sys.executable] + ([arguments.python] if arguments.python else [])
     found = {}
-    for name, (extensions, tolerance) in READERS.items():
-        if extension not in extensions:
+    for name, (forms, tolerance) in READERS.items():
+        if form not in forms:
             continue
         keys = {name: pythons[::-1]} if name != "vtk" else dict(zip(("vtk of Debian", "vtk of PyPI"), [[p] for p in pythons]))
         for key, of_key in keys.items():
@@ -125,13 +126,13 @@ def other_readers(arguments, extension):
     return found
 
 
-def read_with_all(arguments, variants, extension, folder):
+def read_with_all(arguments, variants, form, folder):
     driver = str(pathlib.Path(arguments.program).with_name("bonedecimate-read-surfaces"))
     tasks = {"ours": ([workers.Worker([driver], False)], variants, None)}
     if arguments.by_program:
         some = variants[:: -(-len(variants) // arguments.by_program)]
         tasks["program"] = ([ProgramWorker(arguments.program, folder)], some, None)
-    for name, (of_reader, tolerance) in other_readers(arguments, extension).items() if not arguments.own else ():
+    for name, (of_reader, tolerance) in other_readers(arguments, form).items() if not arguments.own else ():
         tasks[name] = (of_reader, variants, tolerance)
     with concurrent.futures.ThreadPoolExecutor(4) as pool:
         futures = {name: pool.submit(read_all, *task, name) for name, task in tasks.items()}
@@ -200,8 +201,7 @@ def compare_format(arguments, name):
         folder = pathlib.Path(arguments.keep or temporary) / name
         folder.mkdir(parents=True, exist_ok=True)
         variants = make_variants(name, arguments.variants, folder)
-        extension = variants[0].path.suffix[1:]
-        results = read_with_all(arguments, variants, extension, folder)
+        results = read_with_all(arguments, variants, name, folder)
         table = Table(name)
         for reader, rows in results.items():
             for variant, (kinds, found) in rows:

@@ -152,7 +152,7 @@ class Writer:
         kind = choices["texture"]
         if kind != "no":
             most = {"float": 0, "ubyte": 255, "ushort": 65535}[kind]
-            whole = [(3 + 5 * i, 200 - 7 * i) for i in range(count)]
+            whole = [(3 + 5 * i % 250, (200 - 7 * i) % 256) for i in range(count)]
             rows = [(u / 256.0, v / 256.0) for u, v in whole] if kind == "float" else whole
             columns.append(("TEXCOORD_0", kind, 2, rows, kind != "float"))
             values["uv"] = [(u / (most or 1), 1.0 - v / (most or 1)) for u, v in rows]
