@@ -39,28 +39,43 @@ std::string ReadPart(const std::string& path, std::uintmax_t from, std::size_t l
   return text;
 }
 
-/// The value of NAME="value" after a position in XML text; empty if it is not there.
-std::string AttributeAfter(const std::string& text, std::size_t from, const std::string& name)
+/// The value of an attribute of the tag that begins at a position, in either kind of quotes; empty if it is not there.
+std::string AttributeOf(const std::string& text, std::size_t tag, std::string_view name)
 {
-  const std::size_t begin = text.find(name + "=\"", from);
-  if (begin == std::string::npos)
+  const char* const blanks = " \t\r\n";
+  const auto skip = [&text, blanks](std::size_t at)
+  { return std::min(text.find_first_not_of(blanks, at), text.size()); };
+  const auto isAt = [&text](std::size_t at, std::string_view characters)
+  { return at < text.size() && characters.find(text[at]) != std::string_view::npos; };
+  for (std::size_t at = tag; at < text.size() && text[at] != '>'; ++at)
   {
-    return {};
+    if (isAt(at, "\"'"))
+    {
+      at = std::min(text.find(text[at], at + 1), text.size() - 1); // a value
+      continue;
+    }
+    const bool isName =
+      at > tag && isAt(at - 1, blanks) && text.compare(at, name.size(), name) == 0;
+    const std::size_t equals = isName ? skip(at + name.size()) : text.size();
+    const std::size_t quote = isAt(equals, "=") ? skip(equals + 1) : text.size();
+    if (isAt(quote, "\"'"))
+    {
+      return text.substr(quote + 1, text.find(text[quote], quote + 1) - quote - 1);
+    }
   }
-  const std::size_t value = begin + name.size() + 2;
-  return text.substr(value, text.find('"', value) - value);
+  return {};
 }
 
 /// Points and cells of a VTK XML file against its size.
 void CheckAnnouncedXml(const std::string& path, const std::string& head, double size)
 {
   const std::size_t piece = head.find("<Piece");
-  const std::string compressor = AttributeAfter(head, head.find("<VTKFile"), "compressor");
+  const std::string compressor = AttributeOf(head, head.find("<VTKFile"), "compressor");
   const double most = size * LargestExpansion(compressor); // a point or cell has a byte or more
   for (const char* name :
     { "NumberOfPoints", "NumberOfPolys", "NumberOfStrips", "NumberOfLines", "NumberOfVerts" })
   {
-    const double count = std::strtod(AttributeAfter(head, piece, name).c_str(), nullptr);
+    const double count = std::strtod(AttributeOf(head, piece, name).c_str(), nullptr);
     if (piece != std::string::npos && (count < 0.0 || count > most))
     {
       Reject(path, std::string(name) + " is more than a file of this size can hold");
@@ -78,7 +93,7 @@ void ReadTextPoints(const std::string& path, std::uintmax_t size, CoordinateColl
     const std::size_t array = text.find("<DataArray", at);
     const std::size_t begin = std::min(text.find('>', array), text.size());
     const std::string tag = array < begin ? text.substr(array, begin - array) : std::string();
-    if (AttributeAfter(tag, 0, "format") != "ascii")
+    if (AttributeOf(tag, 0, "format") != "ascii")
     {
       return;
     }
@@ -106,7 +121,7 @@ void CheckVtpFile(const std::string& path, CoordinateCollector& textPoints)
   {
     Reject(path, "it is not a VTK XML file");
   }
-  const std::string type = AttributeAfter(head, root, "type");
+  const std::string type = AttributeOf(head, root, "type");
   if (type != "PolyData")
   {
     Reject(path, "it holds '" + type + "', not PolyData");
@@ -119,7 +134,7 @@ void CheckVtpFile(const std::string& path, CoordinateCollector& textPoints)
   CheckNesting(path);
   CheckAnnouncedXml(path, head, static_cast<double>(size));
   // Points come first in a piece: a file whose first ones are binary is read by VTK alone.
-  if (AttributeAfter(head, head.find("<Points"), "format") == "ascii")
+  if (AttributeOf(head, head.find("<DataArray", head.find("<Points")), "format") == "ascii")
   {
     ReadTextPoints(path, size, textPoints);
   }

@@ -2,10 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlyArrays.h"
 
+#include "vtkUnsignedCharArray.h"
+
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace bonedecimate
 {
+namespace
+{
+/// Colors of real numbers are between 0 and 1.
+vtkSmartPointer<vtkDataArray> AsBytes(const vtkSmartPointer<vtkDataArray>& colors)
+{
+  if (colors->GetDataType() != VTK_FLOAT && colors->GetDataType() != VTK_DOUBLE)
+  {
+    return colors;
+  }
+  auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  bytes->SetName(colors->GetName());
+  bytes->SetNumberOfComponents(colors->GetNumberOfComponents());
+  bytes->SetNumberOfTuples(colors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < colors->GetNumberOfComponents(); ++k)
+    {
+      const double value = std::round(255.0 * colors->GetComponent(i, k));
+      bytes->SetComponent(i, k, value > 0.0 ? std::min(value, 255.0) : 0.0);
+    }
+  }
+  return bytes;
+}
+}
+
 PlyArrays::PlyArrays(const PlyElement& element, Kind kind)
   : Taken(element.Properties.size(), false)
 {
@@ -16,11 +45,11 @@ PlyArrays::PlyArrays(const PlyElement& element, Kind kind)
       this->Taken[element.IndexOf(coordinate)] = true;
     }
     this->AddGroup(element, "Normals", vtkDataSetAttributes::NORMALS, { "nx", "ny", "nz" });
-    if (!this->AddGroup(element, "TCoords", vtkDataSetAttributes::TCOORDS, { "u", "v" }))
-    {
-      this->AddGroup(
-        element, "TCoords", vtkDataSetAttributes::TCOORDS, { "texture_u", "texture_v" });
-    }
+    const std::vector<std::string> textures[] = { { "u", "v" }, { "s", "t" },
+      { "texture_u", "texture_v" } }; // of VTK, Blender and MeshLab
+    std::find_if(std::begin(textures), std::end(textures),
+      [this, &element](const std::vector<std::string>& names)
+      { return this->AddGroup(element, "TCoords", vtkDataSetAttributes::TCOORDS, names); });
   }
   else
   {
@@ -105,7 +134,9 @@ void PlyArrays::AddTo(vtkDataSetAttributes* data) const
 {
   for (const Column& column : this->Columns)
   {
-    data->AddArray(column.Array);
+    const bool isColor = column.Array->GetNumberOfComponents() >= 3 &&
+      column.Attribute == vtkDataSetAttributes::SCALARS;
+    data->AddArray(isColor ? AsBytes(column.Array) : column.Array);
     if (column.Attribute >= 0)
     {
       data->SetActiveAttribute(column.Array->GetName(), column.Attribute);

@@ -10,38 +10,62 @@
 #include "vtkPolyDataReader.h"
 #include "vtkPolyDataWriter.h"
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 namespace bonedecimate
 {
 namespace
 {
-/// The text of a file that VTK's reader does not take: with a byte-order mark, or with line ends of CR alone. Empty: it takes it.
-std::string NormalizedText(const std::string& path)
+std::string WholeFile(const std::string& path)
 {
   std::ifstream stream(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// Line ends of every system as LF: VTK's reader takes CR for a part of names and texts.
+void UnifyLineEnds(std::string& text)
+{
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const bool isPair = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+    if (!isPair)
+    {
+      text[kept++] = text[i] == '\r' ? '\n' : text[i];
+    }
+  }
+  text.resize(kept);
+}
+
+/// The text of a file that VTK's reader does not take as it is: with a byte-order mark or with CR in line ends. Empty: it takes it.
+std::string NormalizedText(const std::string& path)
+{
   const std::string mark = "\xEF\xBB\xBF";
-  const bool hasMark = text.rfind(mark, 0) == 0;
-  const std::size_t lineEnd = text.find_first_of("\r\n");
-  const bool hasOnlyReturns =
-    lineEnd != std::string::npos && text[lineEnd] == '\r' && text.compare(lineEnd, 2, "\r\n") != 0;
-  if (!hasMark && !hasOnlyReturns)
+  LineReader lines(path);
+  bool hasMark = false;
+  for (int i = 0; i < 3; ++i) // version, title, ASCII or BINARY
+  {
+    lines.Next();
+    hasMark = hasMark || (i == 0 && lines.GetLine().rfind(mark, 0) == 0);
+  }
+  const bool isText = Trimmed(lines.GetLine()).substr(0, 1).find_first_of("aA") == 0;
+  if (!isText && !hasMark)
+  {
+    return {};
+  }
+  std::string text = WholeFile(path);
+  const bool hasReturns = isText && text.find('\r') != std::string::npos;
+  const bool isTooLong = text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max());
+  if ((!hasMark && !hasReturns) || isTooLong)
   {
     return {};
   }
   text.erase(0, hasMark ? mark.size() : 0);
-  LineReader lines(path);
-  for (int i = 0; i < 3; ++i) // version, title, ASCII or BINARY
+  if (hasReturns)
   {
-    lines.Next();
-  }
-  const bool isText = Trimmed(lines.GetLine()).substr(0, 1).find_first_of("aA") == 0;
-  if (isText)
-  {
-    std::replace(text.begin(), text.end(), '\r', '\n');
+    UnifyLineEnds(text);
   }
   return text;
 }
