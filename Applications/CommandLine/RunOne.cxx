@@ -69,6 +69,7 @@ public:
       this->Input = segments.Surface;
       this->Filter->SetLabelMapData(segments.Map);
       this->Subject.Changed = segments.Changed;
+      this->NoteOfNames = segments.Note;
     }
     else if (this->Volume)
     {
@@ -247,6 +248,10 @@ private:
     this->Rounding.Apply(result, this->Filter);
     this->Result = this->Rounding.GetResult();
     this->Notes = this->Rounding.GetNotes();
+    if (!this->NoteOfNames.empty())
+    {
+      this->Notes.push_back(this->NoteOfNames);
+    }
     const std::vector<std::string>& warnings = this->Rounding.GetWarnings();
     this->Subject.Warnings.insert(this->Subject.Warnings.end(), warnings.begin(), warnings.end());
   }
@@ -311,6 +316,7 @@ private:
 
   vtkSmartPointer<vtkPolyData> Result;
 
+  std::string NoteOfNames; // of labels
   std::vector<std::string> Notes;
   std::string PictureProblem;
 };
