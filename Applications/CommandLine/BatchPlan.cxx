@@ -344,6 +344,10 @@ std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Argum
   {
     given.erase("spacing");
   }
+  if (!HasSeries(bone.Input))
+  {
+    given.erase("series");
+  }
   return given;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneSlabs.h"
 
+#include "DataFile.h"
 #include "IntensityChecks.h"
 #include "LayerDivision.h"
 #include "OutwardContour.h"
@@ -25,6 +26,7 @@ BoneSlabs::BoneSlabs(
   : Path(path)
   , Value(hounsfield)
   , Spacing(spacing)
+  , View(hounsfield)
 {
   SlabReader reader(OpenVolume(path, spacing));
   const VolumeHeader& header = reader.GetHeader();
@@ -48,6 +50,7 @@ void BoneSlabs::Survey(SlabReader& reader, LabelPolicy policy)
     [&](const Volume& slab)
     {
       survey.Add(slab);
+      this->View.Add(slab);
       AppendCounts(CountContourPoints(slab, this->Value), this->Points);
       return std::string();
     });
@@ -55,8 +58,9 @@ void BoneSlabs::Survey(SlabReader& reader, LabelPolicy policy)
   {
     return;
   }
-  this->Problem = IntensityProblem(survey, this->Value, policy);
+  this->Problem = FirstOf({ this->View.Problem(), IntensityProblem(survey, this->Value, policy) });
   AppendNote(this->Note, MaskNote(survey));
+  AppendNote(this->Note, this->View.Note());
 }
 
 double BoneSlabs::GetVoxelSize() const
@@ -114,6 +118,10 @@ BoneSlab BoneSlabs::ReadNext()
   {
     const Volume voxels = this->Reader->ReadTo(last);
     slab.Problem = voxels.Problem;
+    if (voxels.Image && this->View.HasPadding())
+    {
+      this->View.Clear(voxels);
+    }
     slab.Surface = voxels.Image ? OutwardContour(voxels, this->Value) : nullptr;
   }
   return slab;

@@ -10,6 +10,7 @@
 #define BoneDecimate_Applications_BoneSlabs_h
 
 #include "BoneVolume.h"
+#include "FieldOfView.h"
 #include "SlabReader.h"
 
 #include <cstdint>
@@ -75,6 +76,7 @@ private:
   bool ReadsWhole = false;
   volume::VolumeGeometry Geometry;
   volume::LayerPositions Layers;
+  volume::FieldOfView View;
   std::vector<std::int64_t> Points; ///< CountContourPoints().
   std::unique_ptr<volume::SlabReader> Reader;
   std::vector<std::int64_t> LastLayers; ///< Of the slabs.

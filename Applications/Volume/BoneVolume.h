@@ -38,6 +38,19 @@ std::string ReadVolumesText();
  */
 bool TakeSeriesBelow(const std::string& folder);
 
+/**
+ * From now on folders of several DICOM series give the one that the text names: its number in the list, its unique identifier, or its
+ * description, whole or in part. An impossible choice is rejected with the list.
+ * @param choice Empty: the largest.
+ */
+void ChooseSeries(const std::string& choice);
+
+/// Whether ChooseSeries() counts for it: a folder of DICOM files or a DICOMDIR.
+bool HasSeries(const std::string& path);
+
+/// Why a folder without the series that was chosen is rejected. A batch passes over it.
+inline constexpr const char* NoSeriesReason = "it has no series ";
+
 struct BoneSurface
 {
   vtkSmartPointer<vtkPolyData>

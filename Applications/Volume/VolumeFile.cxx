@@ -75,6 +75,12 @@ std::set<std::string>& FoldersOfSeries()
   return folders;
 }
 
+std::string& SeriesChoiceText()
+{
+  static std::string choice;
+  return choice;
+}
+
 /// The table of contents of a CD, which represents its folder.
 bool IsDirectoryFile(const std::string& path)
 {
@@ -185,6 +191,16 @@ bool TakeSeriesBelow(const std::string& folder)
   return hasSeries;
 }
 
+void ChooseSeries(const std::string& choice)
+{
+  SeriesChoiceText() = choice;
+}
+
+bool HasSeries(const std::string& path)
+{
+  return KindOf(path) == VolumeKind::DicomFolder;
+}
+
 std::vector<std::string> VolumeExtensions()
 {
   std::vector<std::string> extensions;
@@ -202,6 +218,11 @@ bool NeedsSpacing(const std::string& path)
 
 namespace volume
 {
+const std::string& RequestedSeries()
+{
+  return SeriesChoiceText();
+}
+
 std::unique_ptr<IsolatedReader> OpenVolume(
   const std::string& path, const VoxelSpacing& spacing, const SegmentSelection& selection)
 {

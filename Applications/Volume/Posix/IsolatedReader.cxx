@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsolatedReader.h"
 
+#include "CurrentFile.h"
 #include "Pipe.h"
 #include "SentFields.h"
 
@@ -154,6 +155,7 @@ IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
   : From(std::make_unique<Source>())
 {
   Source& from = *this->From;
+  ShareCurrentFile();
   from.Child = from.FromChild.IsOpen() ? fork() : -1;
   if (from.Child < 0)
   {
@@ -234,6 +236,7 @@ std::string IsolatedReader::Source::ReasonOfEnd()
   {
     throw std::bad_alloc();
   }
-  return "it is damaged";
+  const std::string file = CurrentFile();
+  return file.empty() ? "it is damaged" : DamagedFileProblem(file);
 }
 }
