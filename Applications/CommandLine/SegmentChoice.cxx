@@ -195,7 +195,7 @@ FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* f
   segments.Warnings = names.Warnings;
   if (labels.empty() && (segments.Empty.empty() || LowerCase(arguments.Choice) == "all"))
   {
-    Reject(path, NoLabelReason);
+    Reject(path, std::string(NoLabelReason) + ": all are 0");
   }
   return segments;
 }

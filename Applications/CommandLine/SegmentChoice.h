@@ -36,10 +36,7 @@ struct FoundSegments
   std::vector<std::string> Warnings;
 };
 
-/// Why a map in which all voxels are background is rejected. A batch passes over it.
-inline constexpr const char* NoLabelReason = "none of its voxels has a label: all are 0";
-
-/// The same of segments that were chosen.
+/// As NoLabelReason, of segments that were chosen.
 inline constexpr const char* NoChosenVoxelReason = "no voxel belongs to what --segments chooses, ";
 
 /**

@@ -12,7 +12,8 @@ namespace bonedecimate
 namespace
 {
 constexpr std::size_t HeaderSize = 348;
-constexpr std::size_t LargestExtension = std::size_t(1) << 26; // of what a damaged header can announce
+constexpr std::size_t LargestExtension = std::size_t(1)
+  << 26; // of what a damaged header can announce
 
 /// A file, compressed or not, from its begin.
 class NiftiBeginning
