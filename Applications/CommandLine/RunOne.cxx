@@ -69,7 +69,7 @@ public:
       this->Input = segments.Surface;
       this->Filter->SetLabelMapData(segments.Map);
       this->Subject.Changed = segments.Changed;
-      this->NoteOfNames = segments.Note;
+      this->Remark = segments.Note;
     }
     else if (this->Volume)
     {
@@ -84,6 +84,7 @@ public:
       }
       this->Input = bone.Surface;
       this->VoxelSize = bone.VoxelSize;
+      this->Remark = bone.Remark;
       if (!bone.Note.empty())
       {
         this->Subject.Warnings.push_back(bone.Note);
@@ -132,9 +133,11 @@ public:
     this->TakeResult();
     if (!this->Volume)
     {
-      const std::vector<std::string> hints =
-        InputHints(this->Filter->GetOutput(), this->Input, this->Filter->GetNumberOfThreads());
-      this->Subject.Warnings.insert(this->Subject.Warnings.end(), hints.begin(), hints.end());
+      const std::string hint = VertexCellsHint(this->Input);
+      if (!hint.empty())
+      {
+        this->Subject.Warnings.push_back(hint);
+      }
     }
   }
 
@@ -248,9 +251,9 @@ private:
     this->Rounding.Apply(result, this->Filter);
     this->Result = this->Rounding.GetResult();
     this->Notes = this->Rounding.GetNotes();
-    if (!this->NoteOfNames.empty())
+    if (!this->Remark.empty())
     {
-      this->Notes.push_back(this->NoteOfNames);
+      this->Notes.push_back(this->Remark);
     }
     const std::vector<std::string>& warnings = this->Rounding.GetWarnings();
     this->Subject.Warnings.insert(this->Subject.Warnings.end(), warnings.begin(), warnings.end());
@@ -316,7 +319,7 @@ private:
 
   vtkSmartPointer<vtkPolyData> Result;
 
-  std::string NoteOfNames; // of labels
+  std::string Remark; // on the input
   std::vector<std::string> Notes;
   std::string PictureProblem;
 };

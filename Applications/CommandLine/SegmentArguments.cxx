@@ -59,10 +59,11 @@ void AddSegments(CLI::App& app, SegmentArguments& segments,
         segments.Choice = text;
         given("segments", text);
       },
-      WrappedHelp("The input is a label map: take the surfaces of its segments, with the walls "
-                  "between them in common. all, or labels and names with commas in between; with "
-                  "names of TotalSegmentator also bones. The output is a surface, a .vtm file, or a folder "
-                  "with a file for each segment, report, page and picture."))
+      WrappedHelp(
+        "The input is a label map: take the surfaces of its segments, with the walls "
+        "between them in common. all, or labels and names with commas in between; with "
+        "names of TotalSegmentator also bones. The output is a surface, a .vtm file, or a folder "
+        "with a file for each segment, report, page and picture."))
     ->type_name("all|LABELS|NAMES")
     ->check(CLI::Validator([](std::string& text)
       { return text.empty() ? "takes all, or labels and names, not ''" : std::string(); },

@@ -19,7 +19,7 @@ inline constexpr const char* TotalSegmentatorWord = "totalsegmentator";
 
 struct SegmentArguments
 {
-  std::string Choice; ///< See ChooseSegments(); empty: the input is no label map.
+  std::string Choice;     ///< See ChooseSegments(); empty: the input is no label map.
   std::string LabelNames; ///< TotalSegmentatorWord or the path of a table; empty: not given.
 
   bool IsRequested() const { return !this->Choice.empty(); }

@@ -131,8 +131,7 @@ bool MeansBones(const std::string& choice, const std::vector<NamedLabel>& segmen
   const bool isSegment = std::any_of(segments.begin(), segments.end(),
     [&choice](const NamedLabel& segment) { return IsMeant(segment, choice); });
   return LowerCase(choice) == "bones" && !isSegment &&
-    (arguments.HasTotalSegmentatorNames() ||
-      std::any_of(segments.begin(), segments.end(), IsBone));
+    (arguments.HasTotalSegmentatorNames() || std::any_of(segments.begin(), segments.end(), IsBone));
 }
 
 std::vector<NamedLabel> ChooseBones(
@@ -230,7 +229,8 @@ std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
     }
     if (!isThere)
     {
-      Reject(path, "it has no segment '" + Trimmed(text) + "'; its segments are " +
+      Reject(path,
+        "it has no segment '" + Trimmed(text) + "'; its segments are " +
           ListOf(segments.AreDescribed ? all : segments.Present));
     }
   }

@@ -36,6 +36,7 @@ BoneSlabs::BoneSlabs(
   this->Geometry = header.Geometry;
   this->Layers = header.Layers;
   this->Note = header.Note;
+  this->Remark = header.Remark;
   this->Problem = header.Problem;
   if (this->Problem.empty())
   {

@@ -36,6 +36,7 @@ public:
 
   const std::string& GetProblem() const { return this->Problem; }
   const std::string& GetNote() const { return this->Note; }
+  const std::string& GetRemark() const { return this->Remark; }
   double GetVoxelSize() const; ///< mm, the least side.
   std::int64_t GetNumberOfLayers() const { return this->Size[2]; }
   std::int64_t GetBytesOfVoxels() const; ///< In memory.
@@ -71,6 +72,7 @@ private:
   VoxelSpacing Spacing;
   std::string Problem;
   std::string Note;
+  std::string Remark;
   std::array<std::int64_t, 3> Size{ { 0, 0, 0 } };
   std::size_t BytesInALayer = 0;
   bool ReadsWhole = false;

@@ -27,6 +27,7 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
   }
   const Volume volume = ReadVolume(path, spacing);
   bone.Note = volume.Note;
+  bone.Remark = volume.Remark;
   bone.Problem = volume.Problem.empty() && change && !volume.Layers.empty()
     ? "its slices are not evenly spaced, which --fill-volume needs"
     : volume.Problem;

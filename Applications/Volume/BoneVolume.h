@@ -58,6 +58,7 @@ struct BoneSurface
   double VoxelSize = 0.0; ///< mm, the least side of its voxels.
   std::string Problem;    ///< Why it was rejected; empty if it was not.
   std::string Note;       ///< What of the input was left aside, for the user; may be empty.
+  std::string Remark;     ///< What was done as the user wants it; may be empty.
 };
 
 /// How the values of a volume are taken that look like the labels of a segmentation.

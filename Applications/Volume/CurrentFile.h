@@ -12,7 +12,7 @@
 namespace bonedecimate::volume
 {
 /// Of the reader, before it begins. Both processes see it from now on.
-void ShareCurrentFile();
+void ResetCurrentFile();
 
 /// @param path Empty: none of many.
 void SetCurrentFile(const std::string& path);

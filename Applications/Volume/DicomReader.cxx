@@ -114,7 +114,8 @@ std::string ReadStored(const DicomSlice& slice, StoredImage& stored)
   stored.Values.resize(bytes);
   if (bytes != pixels * stored.Format.GetPixelSize() || !image.GetBuffer(stored.Values.data()))
   {
-    return "its pixels are damaged, truncated or compressed in a way that cannot be read";
+    return "its pixels are damaged, truncated or compressed in a way that is not read; save it "
+           "uncompressed";
   }
   stored.File = slice.File;
   return std::string();
@@ -139,7 +140,7 @@ std::string DecodeSlice(const DicomSlice& slice, StoredImage& stored, float* val
   const char* const first = stored.Values.data() + static_cast<std::size_t>(slice.Frame) * bytes;
   if (!rescaler.Rescale(reinterpret_cast<char*>(values), first, bytes))
   {
-    return "its pixels are of a type that cannot be read";
+    return "its pixels are of a type that is not read; save it uncompressed";
   }
   ClearPadding(slice, values, pixels);
   return std::string();
@@ -180,6 +181,7 @@ LayeredVolume LayersOfSeries(const DicomSeries& series)
   volume.Header.Geometry = series.Geometry;
   volume.Header.Layers = series.Layers;
   volume.Header.Note = series.Note;
+  volume.Header.Remark = series.Remark;
   volume.ReadLayer = [slices = series.Slices, next = std::size_t(0), stored = StoredImage()](
                        void* values) mutable
   {

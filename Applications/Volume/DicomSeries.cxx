@@ -281,15 +281,10 @@ std::string OthersText(
 }
 
 /// Which series was taken where there are several, or in a folder below.
-std::string TakenNote(const std::vector<Slices>& groups, std::size_t taken, bool isRequested,
+std::string TakenNote(const std::vector<Slices>& groups, std::size_t taken,
   const DicomSeries& series, const std::string& folder)
 {
   const std::string where = SubfolderOf(series.Slices, folder);
-  if (isRequested)
-  {
-    return "Series " + std::to_string(taken + 1) + " of " + std::to_string(groups.size()) +
-      " was taken, as --series says: " + GroupText(groups[taken], folder) + ".";
-  }
   if (groups.size() > 1)
   {
     return "Of " + std::to_string(groups.size()) + " series the one with " +
@@ -322,12 +317,21 @@ DicomSeries TakeSeries(
   DicomSeries series;
   if (groups.empty())
   {
-    series.Problem = "none of its DICOM files is an image with a position in the patient";
+    series.Problem = "none of its DICOM files is an image with a position in the patient, as those "
+                     "of a CT or MR are";
     return series;
   }
   series.Slices = groups[index];
   const std::size_t copies = RemoveCopies(series.Slices);
-  series.Note = TakenNote(groups, index, isRequested, series, folder);
+  if (isRequested)
+  {
+    series.Remark = "series " + std::to_string(index + 1) + " of " + std::to_string(groups.size()) +
+      " is taken, as --series says: " + GroupText(groups[index], folder);
+  }
+  else
+  {
+    series.Note = TakenNote(groups, index, series, folder);
+  }
   if (copies > 0)
   {
     series.Note += (series.Note.empty() ? "" : " ") + std::to_string(copies) +

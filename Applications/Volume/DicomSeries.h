@@ -47,6 +47,7 @@ struct DicomSeries
   LayerPositions Layers;
   std::string Problem;
   std::string Note;
+  std::string Remark; ///< As of a Volume.
 };
 
 using DicomSlices = std::vector<DicomSlice>;

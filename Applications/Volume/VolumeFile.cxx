@@ -177,8 +177,8 @@ bool IsVolumeFile(const std::string& path)
 std::string ReadVolumesText()
 {
   return ".nii, .nii.gz, .nrrd, .nhdr, .seg.nrrd, .mha, .mhd, .vti, a .tif of several pages, a "
-         ".dcm of segments, and a folder of "
-         "DICOM files or TIFF slices";
+         ".dcm of segments or of several frames, a DICOMDIR, and a folder of DICOM files or TIFF "
+         "slices";
 }
 
 bool TakeSeriesBelow(const std::string& folder)
@@ -268,6 +268,7 @@ Volume ReadVolume(
   volume.Geometry = header.Geometry;
   volume.Layers = header.Layers;
   volume.Note = header.Note;
+  volume.Remark = header.Remark;
   volume.Problem = header.Problem;
   if (volume.Problem.empty())
   {

@@ -117,7 +117,7 @@ class LabelNames(ApplicationTest):
         self.write("names.tsv", "index\tname\n92\trib 1\n")
         self.fail_with(REJECTED, "wrong.nii", "no.vtp", *SEGMENTS, "--label-names", "names.tsv", says="'rib 1' in names.tsv")
 
-    def test_tables_of_other_programs_are_given_or_lie_beside_the_map(self):
+    def test_tables_of_other_programs_are_named_or_lie_beside_the_map(self):
         first = {1: ("femur left", COLORS[1]), 2: ("patella left", COLORS[2])}
         comma = {1: ("femur left", COLORS[1]), 2: ("patella, left", COLORS[2])}
         underscore = {1: ("femur_left", COLORS[1]), 2: ("patella_left", COLORS[2])}

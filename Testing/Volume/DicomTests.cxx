@@ -87,8 +87,9 @@ TEST_F(Dicom, LargestSeriesIsTakenAndTheOthersAreNamed)
   WriteDicom(this->Series, UprightScan(), other);
   const BoneSurface bone = this->Bone();
   ExpectSpecimen(bone);
-  EXPECT_EQ(
-    bone.Note, "Of 2 series the one with 40 slices was taken; others, for --series: 2: 9 slices from other100 on.");
+  EXPECT_EQ(bone.Note,
+    "Of 2 series the one with 40 slices was taken; others, for --series: 2: 9 slices from other100 "
+    "on.");
 }
 
 TEST_F(Dicom, CtIsTakenBeforeALargerSeriesOfAnotherKind)
@@ -104,8 +105,9 @@ TEST_F(Dicom, CtIsTakenBeforeALargerSeriesOfAnotherKind)
   WriteDicom(this->Series, UprightScan(), other);
   const BoneSurface bone = this->Bone();
   ExpectSpecimen(bone);
-  EXPECT_EQ(
-    bone.Note, "Of 2 series the one with 36 slices was taken; others, for --series: 2: 40 slices from other100 on.");
+  EXPECT_EQ(bone.Note,
+    "Of 2 series the one with 36 slices was taken; others, for --series: 2: 40 slices from "
+    "other100 on.");
 }
 
 TEST_F(Dicom, LocalizerOfTheSameSeriesIsLeftAside)

@@ -63,9 +63,8 @@ void TakeHeader(const std::string& path, vtkFieldData* fields, LabelNames& names
   }
 }
 
-void RequireAgreement(
-  const std::string& path, const LabelTable& header, const SegmentArguments& arguments,
-  const LabelTable& given)
+void RequireAgreement(const std::string& path, const LabelTable& header,
+  const SegmentArguments& arguments, const LabelTable& given)
 {
   const std::string name = arguments.HasTotalSegmentatorNames()
     ? "the table of TotalSegmentator"
@@ -75,8 +74,9 @@ void RequireAgreement(
   if (!contradiction.empty())
   {
     Reject(path,
-      contradiction + ": --label-names contradicts the label map; leave it out to take the names "
-                      "of the header");
+      contradiction +
+        ": --label-names contradicts the label map; leave it out to take the names "
+        "of the header");
   }
 }
 }
@@ -96,8 +96,8 @@ LabelTable TableOfArguments(const SegmentArguments& arguments)
     table = ReadLabelTable(arguments.LabelNames);
     if (table.Problem.empty() && table.IsEmpty())
     {
-      table.Problem = std::string("it names no label; a table of labels is ") +
-        LabelTableExtensions;
+      table.Problem =
+        std::string("it names no label; a table of labels is ") + LabelTableExtensions;
     }
     if (!table.Problem.empty())
     {

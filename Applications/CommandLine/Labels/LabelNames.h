@@ -24,8 +24,8 @@ LabelTable TableOfArguments(const SegmentArguments& arguments);
 struct LabelNames
 {
   LabelTable Table;
-  bool AreSegments = false;       ///< Each is a part of the map, so that one without a voxel is missed.
-  std::string Note;               ///< Where names are from, if the map does not hold them.
+  bool AreSegments = false; ///< Each is a part of the map, so that one without a voxel is missed.
+  std::string Note;         ///< Where names are from, if the map does not hold them.
   std::vector<std::string> Warnings; ///< Tables that were not taken.
 
   /// Of a label; empty if it has none.
@@ -42,7 +42,8 @@ LabelNames FindLabelNames(
   const std::string& path, vtkFieldData* fields, const SegmentArguments& arguments);
 
 /// The name of a segment whose file names it so: that of the table if the file's says no more than its label.
-std::string NameOfSegment(std::int64_t label, const std::string& nameInFile, const LabelTable& table);
+std::string NameOfSegment(
+  std::int64_t label, const std::string& nameInFile, const LabelTable& table);
 }
 
 #endif

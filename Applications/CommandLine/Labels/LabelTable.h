@@ -23,7 +23,7 @@ struct LabelTable
 {
   std::vector<NamedLabel> Labels; ///< Without the background, 0; ascending.
   LabelRegions Regions;
-  std::string Problem; ///< Why there is no table, a clause; empty if there is one.
+  std::string Problem;  ///< Why there is no table, a clause; empty if there is one.
   bool IsOther = false; ///< The problem is at the begin: the file may be anything.
 
   bool IsEmpty() const { return this->Labels.empty() && this->Regions.empty(); }

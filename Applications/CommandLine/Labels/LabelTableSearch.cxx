@@ -30,8 +30,8 @@ std::string StemOf(const fs::path& map)
   for (const std::string& extension : VolumeExtensions())
   {
     const std::string end = "." + extension;
-    const bool endsSo = name.size() > end.size() &&
-      LowerCase(name.substr(name.size() - end.size())) == end;
+    const bool endsSo =
+      name.size() > end.size() && LowerCase(name.substr(name.size() - end.size())) == end;
     const std::string shorter = endsSo ? name.substr(0, name.size() - end.size()) : stem;
     stem = shorter.size() < stem.size() ? shorter : stem;
   }
@@ -83,8 +83,7 @@ Paths Inherited(const fs::path& folder, const std::string& stem)
     }
   }
   // The one with most words counts.
-  const auto words = [](const fs::path& path)
-  { return SplitAt(path.stem().string(), '_').size(); };
+  const auto words = [](const fs::path& path) { return SplitAt(path.stem().string(), '_').size(); };
   std::size_t most = 0;
   for (const fs::path& path : paths)
   {
@@ -104,8 +103,8 @@ Paths OfDataset(const fs::path& folder)
   {
     paths.push_back(folder / ".." / "dataset.json");
   }
-  paths.erase(std::remove_if(paths.begin(), paths.end(),
-                [](const fs::path& path) { return !IsFile(path); }),
+  paths.erase(
+    std::remove_if(paths.begin(), paths.end(), [](const fs::path& path) { return !IsFile(path); }),
     paths.end());
   return paths;
 }
@@ -128,8 +127,8 @@ FoundTable FirstOf(const Paths& paths)
     }
     if (!table.Problem.empty())
     {
-      first.Warning = NameOf(path) + ", beside the label map, is no table of its labels: " +
-        table.Problem;
+      first.Warning =
+        NameOf(path) + ", beside the label map, is no table of its labels: " + table.Problem;
     }
     else if (!table.IsEmpty() && first.Path.empty())
     {

@@ -90,8 +90,8 @@ private:
     {
       this->Table.Problem = "a label has no whole number";
     }
-    this->Table.Labels.push_back({ key.value_or(0), {},
-      components == 3 ? std::optional<LabelColor>(color) : std::nullopt });
+    this->Table.Labels.push_back(
+      { key.value_or(0), {}, components == 3 ? std::optional<LabelColor>(color) : std::nullopt });
   }
 
   std::string Text;
@@ -110,8 +110,7 @@ LabelTable ReadLabelsOfHeader(const std::string& path)
       continue;
     }
     const vtkNew<LabelElements> parser;
-    const bool isValid =
-      parser->Parse(text.c_str(), static_cast<unsigned int>(text.size())) != 0;
+    const bool isValid = parser->Parse(text.c_str(), static_cast<unsigned int>(text.size())) != 0;
     LabelTable table = parser->Table;
     if (!isValid && table.Problem.empty())
     {

@@ -23,9 +23,8 @@ constexpr std::size_t Missing = std::string::npos;
 std::string Trimmed(const std::string& text)
 {
   const std::size_t first = text.find_first_not_of(Blanks);
-  return first == std::string::npos
-    ? std::string()
-    : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
+  return first == std::string::npos ? std::string()
+                                    : text.substr(first, text.find_last_not_of(Blanks) - first + 1);
 }
 
 std::string Quoted(const std::string& text)
@@ -152,9 +151,8 @@ private:
   {
     const std::vector<std::string> words = WordsOf(line);
     const std::size_t count = words.size();
-    const auto color = count < 6
-      ? std::optional<FileColor>()
-      : ColorAt(words, { { count - 4, count - 3, count - 2 } });
+    const auto color = count < 6 ? std::optional<FileColor>()
+                                 : ColorAt(words, { { count - 4, count - 3, count - 2 } });
     if (!color)
     {
       return "it is no row of a color table, which is a label, a name and four numbers";

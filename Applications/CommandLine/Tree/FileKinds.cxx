@@ -51,7 +51,9 @@ const std::vector<FileKind>& FileKinds()
     { "NAME.EXT", SurfacesOfBuild },
     { "LABELMAP", VolumeExtensions },
     { "totalsegmentator|TABLE",
-      [] { return Extensions{ "json", "tsv", "csv", "ctbl", "txt", "label" }; } },
+      [] {
+        return Extensions{ "json", "tsv", "csv", "ctbl", "txt", "label" };
+      } },
     { "THESIS", [] { return Extensions{ "obj" }; } },
     { "JSON", [] { return Extensions{ "json" }; } },
     { "HTML", [] { return Extensions{ "html" }; } },

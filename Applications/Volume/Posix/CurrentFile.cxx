@@ -27,7 +27,7 @@ char* SharedName()
 }
 }
 
-void ShareCurrentFile()
+void ResetCurrentFile()
 {
   SetCurrentFile(std::string());
 }

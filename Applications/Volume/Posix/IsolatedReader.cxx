@@ -41,7 +41,8 @@ struct Shape
 
 bool SendHeader(const VolumeHeader& header, Pipe& pipe)
 {
-  if (!pipe.SendText(header.Problem) || !pipe.SendText(header.Note) || !header.Problem.empty())
+  if (!pipe.SendText(header.Problem) || !pipe.SendText(header.Note) ||
+    !pipe.SendText(header.Remark) || !header.Problem.empty())
   {
     return false;
   }
@@ -155,7 +156,7 @@ IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
   : From(std::make_unique<Source>())
 {
   Source& from = *this->From;
-  ShareCurrentFile();
+  ResetCurrentFile();
   from.Child = from.FromChild.IsOpen() ? fork() : -1;
   if (from.Child < 0)
   {
@@ -179,7 +180,8 @@ IsolatedReader::~IsolatedReader() = default;
 /// False if the child ended before it had sent all.
 bool IsolatedReader::Source::ReceiveHeader(VolumeHeader& header)
 {
-  if (!this->FromChild.ReceiveText(header.Problem) || !this->FromChild.ReceiveText(header.Note))
+  if (!this->FromChild.ReceiveText(header.Problem) || !this->FromChild.ReceiveText(header.Note) ||
+    !this->FromChild.ReceiveText(header.Remark))
   {
     return false;
   }

@@ -15,7 +15,7 @@ std::string& Name()
 }
 }
 
-void ShareCurrentFile()
+void ResetCurrentFile()
 {
   Name().clear();
 }

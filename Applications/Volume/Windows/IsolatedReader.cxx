@@ -25,7 +25,7 @@ IsolatedReader::IsolatedReader(const std::string& problem)
 IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
   : From(std::make_unique<Source>())
 {
-  ShareCurrentFile();
+  ResetCurrentFile();
   try
   {
     this->From->Volume = open();

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RunWarnings.h
+ * @brief What a run warns of.
+ */
+#ifndef BoneDecimate_Core_RunWarnings_h
+#define BoneDecimate_Core_RunWarnings_h
+
+#include "Report/Report.h"
+#include "Surface.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// InputWarnings() and SurfaceHints(), a sentence each. @param input Before cleaning.
+std::vector<std::string> RunWarnings(const Surface& input, const Report& report, int threads = 0);
+}
+
+#endif
