@@ -34,7 +34,7 @@ const std::vector<ArgumentRow>& ArgumentTable()
     { "--intensities", { Need::IsoSurface },
       [](const A& a) { return a.Given.count("intensities") > 0; } },
     { "--label-names", { Need::Segments },
-      [](const A& a) { return a.Segments.HasTotalSegmentatorNames; } },
+      [](const A& a) { return !a.Segments.LabelNames.empty(); } },
     { "--memory", { Need::Volume }, [](const A& a) { return a.Memory > 0; } },
     { "--fill-volume", { Need::WholeInMemory, Need::Volume },
       [](const A& a) { return a.FillVolume > 0.0; } },

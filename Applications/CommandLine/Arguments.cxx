@@ -318,5 +318,9 @@ void TakeFiles(Arguments& arguments)
   {
     arguments.Given["spacing"] = NumberListText(arguments.LabelMap.Spacing);
   }
+  if (!arguments.LabelMap.Series.empty())
+  {
+    arguments.Given["series"] = arguments.LabelMap.Series;
+  }
 }
 }

@@ -4,6 +4,7 @@
 
 #include "BatchPlan.h"
 #include "BatchTable.h"
+#include "BoneVolume.h"
 #include "ChildProcess.h"
 #include "FileNames.h"
 #include "FilePath.h"
@@ -193,10 +194,11 @@ private:
       RemoveSegmentFolder(job.Child.GetProcess(), bone.Output);
     }
     const ExitCode code = job.Child.GetCode();
-    for (const char* reason : { NoLabelReason, NoChosenVoxelReason })
+    for (const char* reason : { NoLabelReason, NoChosenVoxelReason, NoSeriesReason })
     {
       const std::size_t begin = job.Child.GetMessage().find(reason);
-      if (code == ExitCode::InputRejected && begin != std::string::npos) // a structure out of view
+      if (code == ExitCode::InputRejected &&
+        begin != std::string::npos) // a structure out of view, a scan of another kind
       {
         const std::string message = job.Child.GetMessage().substr(begin);
         return this->End(job.Bone, "skipped", ExitCode::Done, message);

@@ -163,7 +163,8 @@ std::string NameOf(const BatchBone& bone, int detail)
   const fs::path file = WithoutSlash(bone.Input);
   std::error_code error;
   std::string name = file.filename().string();
-  if (!fs::is_directory(file, error)) // the name of a folder may have dots
+  // The name of a folder may have dots, but its output must not be named like a file.
+  if (!fs::is_directory(file, error) || IsNamedLikeFile(name))
   {
     const bool isCompressed = ExtensionOf(name) == "gz"; // "ct.nii.gz" is "ct"
     const fs::path plain = isCompressed ? file.stem() : file.filename();
@@ -343,6 +344,10 @@ std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Argum
   if (!NeedsSpacing(bone.Input))
   {
     given.erase("spacing");
+  }
+  if (!HasSeries(bone.Input))
+  {
+    given.erase("series");
   }
   return given;
 }

@@ -322,6 +322,7 @@ void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
     }
   }
   CheckLabel(arguments.Map, "--labels");
+  CheckSeries(arguments.Map);
   CheckSpacing(arguments.Map);
   const bool hasTolerance = arguments.Tolerance || !arguments.ToleranceArray.empty();
   if (arguments.FirstProof && !hasTolerance)

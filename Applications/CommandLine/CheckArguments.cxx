@@ -256,9 +256,10 @@ void CheckArguments(const Arguments& arguments)
   CheckMemory(arguments);
   CheckSegments(arguments);
   CheckLabel(arguments.LabelMap, "--label-map");
-  if (!arguments.LabelMap.Spacing.empty())
+  if (!arguments.LabelMap.Spacing.empty() || !arguments.LabelMap.Series.empty())
   {
     CheckSpacing(arguments.LabelMap, FilesOf(arguments));
+    CheckSeries(arguments.LabelMap, FilesOf(arguments));
   }
   if (IsBatch(arguments))
   {

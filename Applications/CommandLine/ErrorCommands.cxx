@@ -275,6 +275,7 @@ void Check(const CLI::App& command, const ErrorArguments& arguments)
   }
   CheckLabel(arguments.Voxels.Map, "--label-map");
   CheckSpacing(arguments.Voxels.Map);
+  CheckSeries(arguments.Voxels.Map);
   RequireDistinct({ arguments.Json, arguments.Csv, arguments.Picture },
     { arguments.Files[0], arguments.Voxels.Map.Path, arguments.Input.Reference });
 }

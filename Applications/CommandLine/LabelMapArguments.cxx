@@ -3,9 +3,11 @@
 #include "LabelMapArguments.h"
 
 #include "Arguments.h"
+#include "BoneVolume.h"
 #include "CommonOptions.h"
 #include "ExitCode.h"
 #include "Formats/FileChecks.h"
+#include "HelpFormatter.h"
 #include "LabelVolume.h"
 
 #include "vtkBoneDecimateAlgorithm.h"
@@ -42,6 +44,21 @@ void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char
       "The distance of voxels along x, y and z, in mm, of volumes whose files have none, such as "
       "TIFF; one number if all are equal." },
     [&map](double value) { map.Spacing.push_back(value); });
+  app
+    .add_option_function<std::string>(
+      "--series",
+      [&map](const std::string& text)
+      {
+        map.Series = text;
+        ChooseSeries(text);
+      },
+      WrappedHelp("Of a folder of several DICOM series: the one with this number in the list, this "
+                  "unique identifier, or this text in its description; default the largest. A "
+                  "choice that is not there, such as 0, shows the list."))
+    ->type_name("N|UID|TEXT")
+    ->check(CLI::Validator([](std::string& text)
+      { return text.empty() ? "takes a number, a UID or a text, not ''" : std::string(); },
+      ""));
 }
 
 VoxelSpacing LabelMapFile::GetSpacing() const
@@ -66,6 +83,16 @@ void CheckSpacing(const LabelMapFile& map, const std::vector<std::string>& input
   {
     throw Failure(ExitCode::Usage,
       "--spacing has no effect; it is for volumes that have none of their own, such as TIFF files");
+  }
+}
+
+void CheckSeries(const LabelMapFile& map, const std::vector<std::string>& inputs)
+{
+  const bool isNeeded = HasSeries(map.Path) || std::any_of(inputs.begin(), inputs.end(), HasSeries);
+  if (!map.Series.empty() && !isNeeded)
+  {
+    throw Failure(
+      ExitCode::Usage, "--series has no effect; it is for folders of DICOM files and a DICOMDIR");
   }
 }
 

@@ -30,10 +30,12 @@ struct LabelMapFile
     0; ///< What a surface without labels encloses; 0: the only label of the map that is not 0.
   std::vector<double> Spacing; ///< mm, of TIFF files; empty, one or three numbers.
 
+  std::string Series; ///< Of folders of DICOM files; empty: the largest.
+
   VoxelSpacing GetSpacing() const;
 };
 
-/// Adds an option that takes a label map, --label and --spacing. @param flags Of the map.
+/// Adds an option that takes a label map, --label, --spacing and --series. @param flags Of the map.
 void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char* help);
 
 /// Requires that --label is given only with a map. @param flag Of the map. @throws Failure(ExitCode::Usage)
@@ -42,6 +44,9 @@ void CheckLabel(const LabelMapFile& map, const std::string& flag);
 /// Requires that --spacing is given only with a map or input that needs it. @param inputs That are read with it, too.
 /// @throws Failure(ExitCode::Usage)
 void CheckSpacing(const LabelMapFile& map, const std::vector<std::string>& inputs = {});
+
+/// The same of --series.
+void CheckSeries(const LabelMapFile& map, const std::vector<std::string>& inputs = {});
 
 /// Reads a label map. @throws Failure(ExitCode::InputRejected)
 vtkSmartPointer<vtkImageData> ReadLabels(const std::string& path,

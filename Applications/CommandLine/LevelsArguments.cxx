@@ -118,6 +118,7 @@ void CheckTogether(const CLI::App& app, const LevelsArguments& arguments)
   }
   CheckLabel(arguments.Voxels.Map, "--label-map");
   CheckSpacing(arguments.Voxels.Map);
+  CheckSeries(arguments.Voxels.Map);
   if (arguments.Input.HasTolerances() && !arguments.Unit.IsMillimeter())
   {
     throw Failure(ExitCode::Usage,

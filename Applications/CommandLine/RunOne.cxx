@@ -69,6 +69,7 @@ public:
       this->Input = segments.Surface;
       this->Filter->SetLabelMapData(segments.Map);
       this->Subject.Changed = segments.Changed;
+      this->Remark = segments.Note;
     }
     else if (this->Volume)
     {
@@ -83,6 +84,7 @@ public:
       }
       this->Input = bone.Surface;
       this->VoxelSize = bone.VoxelSize;
+      this->Remark = bone.Remark;
       if (!bone.Note.empty())
       {
         this->Subject.Warnings.push_back(bone.Note);
@@ -95,7 +97,7 @@ public:
       RequireUnitOfFile(loaded, this->Path, this->Requested.Unit);
       this->Input = loaded.Surface;
       this->InputInFile = loaded.InFile;
-      this->InputNote = loaded.Note;
+      this->Remark = loaded.Note;
       this->Subject.CoordinateSystem = FrameOf(loaded.Surface);
     }
     if (!this->Requested.Reference.empty())
@@ -133,9 +135,11 @@ public:
     this->TakeResult();
     if (!this->Volume)
     {
-      const std::vector<std::string> hints =
-        InputHints(this->Filter->GetOutput(), this->Input, this->Filter->GetNumberOfThreads());
-      this->Subject.Warnings.insert(this->Subject.Warnings.end(), hints.begin(), hints.end());
+      const std::string hint = VertexCellsHint(this->Input);
+      if (!hint.empty())
+      {
+        this->Subject.Warnings.push_back(hint);
+      }
     }
   }
 
@@ -249,9 +253,9 @@ private:
     this->Rounding.Apply(result, this->Filter);
     this->Result = this->Rounding.GetResult();
     this->Notes = this->Rounding.GetNotes();
-    if (!this->InputNote.empty())
+    if (!this->Remark.empty())
     {
-      this->Notes.insert(this->Notes.begin(), this->InputNote);
+      this->Notes.push_back(this->Remark);
     }
     const std::vector<std::string>& warnings = this->Rounding.GetWarnings();
     this->Subject.Warnings.insert(this->Subject.Warnings.end(), warnings.begin(), warnings.end());
@@ -317,7 +321,7 @@ private:
 
   vtkSmartPointer<vtkPolyData> Result;
 
-  std::string InputNote; // empty: none
+  std::string Remark; // on the input
   std::vector<std::string> Notes;
   std::string PictureProblem;
 };

@@ -7,12 +7,18 @@
 #include "CommonOptions.h"
 #include "ExitCode.h"
 #include "FileNames.h"
+#include "FilePath.h"
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
+#include "Labels/LabelTable.h"
+#include "Options/Text.h"
 #include "PlainText.h"
 #include "SegmentOutput.h"
 
 #include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <system_error>
 
 namespace bonedecimate
 {
@@ -24,6 +30,21 @@ void Require(bool isRight, const std::string& sentence)
   {
     throw Failure(ExitCode::Usage, sentence);
   }
+}
+
+/// Of the value of --label-names.
+std::string TableProblem(std::string& text)
+{
+  std::error_code error;
+  if (LowerCase(text) == TotalSegmentatorWord)
+  {
+    text = TotalSegmentatorWord;
+    return std::string();
+  }
+  return std::filesystem::exists(FilePath(text), error)
+    ? std::string()
+    : std::string("takes ") + TotalSegmentatorWord + " or a file with names (" +
+      LabelTableExtensions + "); there is no file '" + text + "'";
 }
 }
 
@@ -38,10 +59,11 @@ void AddSegments(CLI::App& app, SegmentArguments& segments,
         segments.Choice = text;
         given("segments", text);
       },
-      WrappedHelp("The input is a label map: take the surfaces of its segments, with the walls "
-                  "between them in common. all, or labels and names with commas in between; with "
-                  "--label-names also bones. The output is a surface, a .vtm file, or a folder "
-                  "with a file for each segment, report, page and picture."))
+      WrappedHelp(
+        "The input is a label map: take the surfaces of its segments, with the walls "
+        "between them in common. all, or labels and names with commas in between; with "
+        "names of TotalSegmentator also bones. The output is a surface, a .vtm file, or a folder "
+        "with a file for each segment, report, page and picture."))
     ->type_name("all|LABELS|NAMES")
     ->check(CLI::Validator([](std::string& text)
       { return text.empty() ? "takes all, or labels and names, not ''" : std::string(); },
@@ -51,13 +73,15 @@ void AddSegments(CLI::App& app, SegmentArguments& segments,
       "--label-names",
       [&segments, given](const std::string& text)
       {
-        segments.HasTotalSegmentatorNames = true;
+        segments.LabelNames = text;
         given("label-names", text);
       },
-      WrappedHelp("With --segments: the names of the bones of TotalSegmentator v2, task total, "
-                  "instead of those of the label map."))
-    ->type_name("totalsegmentator")
-    ->check(OneOf("totalsegmentator"));
+      WrappedHelp("With --segments: a file with the names of the labels, of nnU-Net "
+                  "(dataset.json), BIDS (.tsv), 3D Slicer (.ctbl, .csv) or ITK-SNAP (.txt, "
+                  ".label), or those of the bones of TotalSegmentator v2, task total. By default "
+                  "names are those of the label map's header or of such a file beside it."))
+    ->type_name("totalsegmentator|TABLE")
+    ->check(CLI::Validator(TableProblem, ""));
 }
 
 void CheckSegments(const Arguments& arguments)

@@ -14,12 +14,16 @@
 
 namespace bonedecimate
 {
+/// The table of labels that the program knows.
+inline constexpr const char* TotalSegmentatorWord = "totalsegmentator";
+
 struct SegmentArguments
 {
-  std::string Choice; ///< See ChooseSegments(); empty: the input is no label map.
-  bool HasTotalSegmentatorNames = false; ///< Otherwise names are those of the map.
+  std::string Choice;     ///< See ChooseSegments(); empty: the input is no label map.
+  std::string LabelNames; ///< TotalSegmentatorWord or the path of a table; empty: not given.
 
   bool IsRequested() const { return !this->Choice.empty(); }
+  bool HasTotalSegmentatorNames() const { return this->LabelNames == TotalSegmentatorWord; }
 };
 
 /// Adds --segments and --label-names. @param given Receives flag without dashes and text.

@@ -4,6 +4,7 @@
 
 #include "ExitCode.h"
 #include "Formats/FileChecks.h"
+#include "Labels/LabelNames.h"
 #include "Options/Text.h"
 #include "PlainText.h"
 #include "TotalSegmentator.h"
@@ -16,6 +17,7 @@
 #include <iterator>
 #include <set>
 #include <type_traits>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -84,6 +86,14 @@ bool IsMeant(const NamedLabel& segment, const std::string& word)
     (!segment.Name.empty() && LowerCase(segment.Name) == LowerCase(word));
 }
 
+/// Of nnU-Net, which gives a name to several labels.
+bool IsInRegion(const NamedLabel& segment, const std::string& word, const LabelRegions& regions)
+{
+  const auto region = regions.find(LowerCase(word));
+  return region != regions.end() &&
+    std::find(region->second.begin(), region->second.end(), segment.Value) != region->second.end();
+}
+
 /// The words of a choice; a name may have commas itself.
 std::vector<std::string> WordsOf(const std::vector<NamedLabel>& segments, const std::string& choice)
 {
@@ -92,33 +102,43 @@ std::vector<std::string> WordsOf(const std::vector<NamedLabel>& segments, const 
   return isOne ? std::vector<std::string>{ choice } : SplitAt(choice, ',');
 }
 
-std::string NameOf(const NamedLabel& segment, const SegmentArguments& arguments)
-{
-  if (!arguments.HasTotalSegmentatorNames)
-  {
-    return segment.Name;
-  }
-  const auto bone = TotalSegmentatorBones().find(segment.Value);
-  return bone == TotalSegmentatorBones().end() ? std::string() : bone->second;
-}
-
-void WarnOfEmpty(const std::vector<NamedLabel>& empty, std::vector<std::string>& warnings)
+void WarnOfEmpty(
+  const std::vector<NamedLabel>& empty, bool areSegments, std::vector<std::string>& warnings)
 {
   if (!empty.empty())
   {
     warnings.push_back("no surface of " + ListOf(empty) + ": no voxel has " +
       (empty.size() == 1 ? "this label" : "one of these labels") +
-      ", because a segment is empty or others cover it; a segment that is chosen alone is not "
-      "covered");
+      (areSegments
+          ? ", because a segment is empty or others cover it; a segment that is chosen alone is "
+            "not covered"
+          : ""));
   }
+}
+
+/// Of TotalSegmentator, by its name.
+bool IsBone(const NamedLabel& segment)
+{
+  const auto& bones = TotalSegmentatorBones();
+  return std::any_of(bones.begin(), bones.end(),
+    [name = LowerCase(segment.Name)](const auto& bone) { return LowerCase(bone.second) == name; });
+}
+
+/// Whether the word means all bones, which a segment of this name comes before.
+bool MeansBones(const std::string& choice, const std::vector<NamedLabel>& segments,
+  const SegmentArguments& arguments)
+{
+  const bool isSegment = std::any_of(segments.begin(), segments.end(),
+    [&choice](const NamedLabel& segment) { return IsMeant(segment, choice); });
+  return LowerCase(choice) == "bones" && !isSegment &&
+    (arguments.HasTotalSegmentatorNames() || std::any_of(segments.begin(), segments.end(), IsBone));
 }
 
 std::vector<NamedLabel> ChooseBones(
   const std::vector<NamedLabel>& segments, const std::string& path)
 {
   std::vector<NamedLabel> chosen;
-  std::copy_if(segments.begin(), segments.end(), std::back_inserter(chosen),
-    [](const NamedLabel& segment) { return TotalSegmentatorBones().count(segment.Value) > 0; });
+  std::copy_if(segments.begin(), segments.end(), std::back_inserter(chosen), IsBone);
   if (chosen.empty())
   {
     Reject(path,
@@ -158,26 +178,23 @@ FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* f
       "it has more than " + std::to_string(MostSegments) +
         " different values, which are no labels; --iso HU takes the surface at a gray value");
   }
-  std::vector<NamedLabel> known = ReadNamedLabels(fields);
+  LabelNames names = FindLabelNames(path, fields, arguments);
   FoundSegments segments;
   for (const std::int64_t label : labels)
   {
-    const auto row = std::find_if(
-      known.begin(), known.end(), [label](const NamedLabel& one) { return one.Value == label; });
-    segments.Present.push_back(row == known.end() ? NamedLabel{ label, {}, {} } : *row);
+    const NamedLabel* const named = names.Find(label);
+    segments.Present.push_back(named ? *named : NamedLabel{ label, {}, {} });
   }
+  const std::vector<NamedLabel>& known = names.Table.Labels;
   std::copy_if(known.begin(), known.end(), std::back_inserter(segments.Empty),
     [&labels](const NamedLabel& one) { return one.Value != 0 && labels.count(one.Value) == 0; });
-  for (std::vector<NamedLabel>* list : { &segments.Present, &segments.Empty })
-  {
-    for (NamedLabel& segment : *list)
-    {
-      segment.Name = NameOf(segment, arguments);
-    }
-  }
+  segments.Regions = std::move(names.Table.Regions);
+  segments.AreDescribed = names.AreSegments;
+  segments.Note = names.Note;
+  segments.Warnings = names.Warnings;
   if (labels.empty() && (segments.Empty.empty() || LowerCase(arguments.Choice) == "all"))
   {
-    Reject(path, NoLabelReason);
+    Reject(path, std::string(NoLabelReason) + ": all are 0");
   }
   return segments;
 }
@@ -186,30 +203,35 @@ std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
   const SegmentArguments& arguments, const std::string& path, std::vector<std::string>& warnings)
 {
   const std::string word = LowerCase(arguments.Choice);
+  warnings.insert(warnings.end(), segments.Warnings.begin(), segments.Warnings.end());
   if (word == "all")
   {
-    WarnOfEmpty(segments.Empty, warnings);
+    // A table names what a map may have.
+    WarnOfEmpty(segments.AreDescribed ? segments.Empty : std::vector<NamedLabel>(), true, warnings);
     return segments.Present;
-  }
-  if (word == "bones" && arguments.HasTotalSegmentatorNames)
-  {
-    return ChooseBones(segments.Present, path);
   }
   std::vector<NamedLabel> all = segments.Present;
   all.insert(all.end(), segments.Empty.begin(), segments.Empty.end());
+  if (MeansBones(word, all, arguments))
+  {
+    return ChooseBones(segments.Present, path);
+  }
   std::vector<bool> isChosen(all.size(), false);
   for (const std::string& text : WordsOf(all, arguments.Choice))
   {
     bool isThere = false;
     for (std::size_t i = 0; i < all.size(); ++i)
     {
-      const bool isMeant = IsMeant(all[i], Trimmed(text));
+      const bool isMeant =
+        IsMeant(all[i], Trimmed(text)) || IsInRegion(all[i], Trimmed(text), segments.Regions);
       isChosen[i] = isChosen[i] || isMeant;
       isThere = isThere || isMeant;
     }
     if (!isThere)
     {
-      Reject(path, "it has no segment '" + Trimmed(text) + "'; its segments are " + ListOf(all));
+      Reject(path,
+        "it has no segment '" + Trimmed(text) + "'; its segments are " +
+          ListOf(segments.AreDescribed ? all : segments.Present));
     }
   }
   std::vector<NamedLabel> chosen;
@@ -225,7 +247,7 @@ std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
   {
     Reject(path, NoChosenVoxelReason + ListOf(empty));
   }
-  WarnOfEmpty(empty, warnings);
+  WarnOfEmpty(empty, segments.AreDescribed, warnings);
   return chosen;
 }
 
@@ -236,13 +258,13 @@ SegmentSelection SelectionOf(const SegmentArguments& arguments)
   {
     return {};
   }
-  return [arguments, word](std::int64_t label, const std::string& nameInFile)
+  return [arguments, word, table = TableOfArguments(arguments)](
+           std::int64_t label, const std::string& nameInFile)
   {
-    NamedLabel segment{ label, PlainText(nameInFile), {} };
-    segment.Name = NameOf(segment, arguments);
-    if (word == "bones" && arguments.HasTotalSegmentatorNames)
+    const NamedLabel segment{ label, NameOfSegment(label, PlainText(nameInFile), table), {} };
+    if (MeansBones(word, { segment }, arguments))
     {
-      return TotalSegmentatorBones().count(label) > 0;
+      return IsBone(segment);
     }
     const std::vector<std::string> words = WordsOf({ segment }, arguments.Choice);
     return std::any_of(words.begin(), words.end(),

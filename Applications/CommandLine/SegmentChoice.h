@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_SegmentChoice_h
 #define BoneDecimate_Applications_SegmentChoice_h
 
+#include "Labels/LabelTable.h"
 #include "NamedLabels.h"
 #include "SegmentArguments.h"
 #include "SegmentSelection.h"
@@ -28,17 +29,18 @@ struct FoundSegments
 {
   std::vector<NamedLabel>
     Present; ///< The labels of the voxels but 0, ascending, with names and colors.
-  std::vector<NamedLabel> Empty; ///< Those that the map describes and no voxel has.
+  std::vector<NamedLabel> Empty; ///< Those that are described and no voxel has.
+  bool AreDescribed = false;     ///< By the map, as parts of it; off: by a table for many maps.
+  LabelRegions Regions;          ///< Names of several labels.
+  std::string Note;              ///< Where names are from; may be empty.
+  std::vector<std::string> Warnings;
 };
 
-/// Why a map in which all voxels are background is rejected. A batch passes over it.
-inline constexpr const char* NoLabelReason = "none of its voxels has a label: all are 0";
-
-/// The same of segments that were chosen.
+/// As NoLabelReason, of segments that were chosen.
 inline constexpr const char* NoChosenVoxelReason = "no voxel belongs to what --segments chooses, ";
 
 /**
- * Names and colors are those of the map or of TotalSegmentator.
+ * Names and colors are those of FindLabelNames().
  * @param labels CollectLabels() of all voxels.  @param fields Of the map.  @param path Of the map, for messages.
  * @throws Failure(ExitCode::InputRejected) if there are none, or so many that they are gray values.
  */
@@ -50,10 +52,10 @@ FoundSegments FindSegments(
 
 /**
  *     all       every one
- *     bones     with names of TotalSegmentator: those that it knows as bones
+ *     bones     those with the names that TotalSegmentator gives to bones
  *     else      labels and names with commas in between; small and capital letters are the same
  *
- * @param warnings Get a sentence with the chosen segments that have no voxel.
+ * @param warnings Get those of the segments, and a sentence with the chosen ones that have no voxel.
  * @throws Failure(ExitCode::InputRejected) with the segments that there are, if one of them is not there, or none has a voxel.
  */
 std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,

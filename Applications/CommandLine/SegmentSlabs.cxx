@@ -120,6 +120,7 @@ void SegmentSlabs::Choose(const std::set<std::int64_t>& labels, vtkFieldData* fi
 {
   const std::string& path = this->Requested.Inputs[0];
   const FoundSegments found = FindSegments(labels, fields, this->Requested.Segments, path);
+  this->Remark = found.Note;
   WriteNamedLabels(found.Present, this->Fields);
   std::vector<std::string> warnings;
   for (const NamedLabel& label : ChooseSegments(found, this->Requested.Segments, path, warnings))

@@ -27,6 +27,7 @@ public:
 
   std::string GetProblem() const override { return this->Problem; }
   std::string GetNote() const override { return this->Note; }
+  std::string GetRemark() const override { return this->Remark; }
   Extent GetExtent() const override;
   double GetVoxelSize() const override;
   SlabAxis GetAxis() const override;
@@ -44,6 +45,7 @@ private:
   const Arguments& Requested;
   std::string Problem;
   std::string Note;
+  std::string Remark;
   LabelMapSource Map; ///< Its grid and its values; mm.
   vtkNew<vtkFieldData> Fields;
   std::size_t BytesInALayer = 0;

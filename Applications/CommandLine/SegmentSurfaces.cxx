@@ -21,6 +21,7 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
     ReadLabels(path, warnings, arguments.LabelMap.GetSpacing(), SelectionOf(arguments.Segments));
   const FoundSegments found = FindSegments(segments.Map, arguments.Segments, path);
   const std::vector<NamedLabel> chosen = ChooseSegments(found, arguments.Segments, path, warnings);
+  segments.Note = found.Note;
   WriteNamedLabels(found.Present, segments.Map->GetFieldData());
   segments.Map = ChangePieces(segments.Map, chosen, arguments, segments.Changed, warnings);
   vtkNew<vtkBoneSurfaces> extraction;

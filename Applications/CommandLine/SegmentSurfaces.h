@@ -23,6 +23,7 @@ struct SegmentSurfaces
 {
   vtkSmartPointer<vtkPolyData> Surface; ///< Of all segments together, by vtkBoneSurfaces.
   vtkSmartPointer<vtkImageData> Map;    ///< As it was extracted.
+  std::string Note;                     ///< Where names of labels are from; may be empty.
   PiecesOfLabels Changed; ///< What changed on request before that; empty: nothing was requested.
 };
 

@@ -23,6 +23,7 @@ public:
 
   std::string GetProblem() const override { return this->Bone.GetProblem(); }
   std::string GetNote() const override { return this->Bone.GetNote(); }
+  std::string GetRemark() const override { return this->Bone.GetRemark(); }
   Extent GetExtent() const override
   {
     return { this->Bone.GetNumberOfLayers(), this->Bone.GetBytesOfVoxels(),

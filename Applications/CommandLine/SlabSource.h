@@ -40,6 +40,7 @@ public:
 
   virtual std::string GetProblem() const = 0; ///< Why the volume was rejected; empty if it was not.
   virtual std::string GetNote() const = 0;    ///< For the user; may be empty.
+  virtual std::string GetRemark() const = 0;  ///< The same, of what is no warning.
   virtual Extent GetExtent() const = 0;
   virtual double GetVoxelSize() const = 0; ///< mm, the least side.
   virtual SlabAxis GetAxis() const = 0;

@@ -160,6 +160,10 @@ private:
     {
       this->Subject.Warnings.push_back(this->Source->GetNote());
     }
+    if (!this->Source->GetRemark().empty())
+    {
+      this->Notes.push_back(this->Source->GetRemark());
+    }
   }
 
   /// What was proved holds for the file if its triangles are the same bits.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneSlabs.h"
 
+#include "DataFile.h"
 #include "IntensityChecks.h"
 #include "LayerDivision.h"
 #include "OutwardContour.h"
@@ -25,6 +26,7 @@ BoneSlabs::BoneSlabs(
   : Path(path)
   , Value(hounsfield)
   , Spacing(spacing)
+  , View(hounsfield)
 {
   SlabReader reader(OpenVolume(path, spacing));
   const VolumeHeader& header = reader.GetHeader();
@@ -34,6 +36,7 @@ BoneSlabs::BoneSlabs(
   this->Geometry = header.Geometry;
   this->Layers = header.Layers;
   this->Note = header.Note;
+  this->Remark = header.Remark;
   this->Problem = header.Problem;
   if (this->Problem.empty())
   {
@@ -48,6 +51,7 @@ void BoneSlabs::Survey(SlabReader& reader, LabelPolicy policy)
     [&](const Volume& slab)
     {
       survey.Add(slab);
+      this->View.Add(slab);
       AppendCounts(CountContourPoints(slab, this->Value), this->Points);
       return std::string();
     });
@@ -55,8 +59,9 @@ void BoneSlabs::Survey(SlabReader& reader, LabelPolicy policy)
   {
     return;
   }
-  this->Problem = IntensityProblem(survey, this->Value, policy);
+  this->Problem = FirstOf({ this->View.Problem(), IntensityProblem(survey, this->Value, policy) });
   AppendNote(this->Note, MaskNote(survey));
+  AppendNote(this->Note, this->View.Note());
 }
 
 double BoneSlabs::GetVoxelSize() const
@@ -114,6 +119,10 @@ BoneSlab BoneSlabs::ReadNext()
   {
     const Volume voxels = this->Reader->ReadTo(last);
     slab.Problem = voxels.Problem;
+    if (voxels.Image && this->View.HasPadding())
+    {
+      this->View.Clear(voxels);
+    }
     slab.Surface = voxels.Image ? OutwardContour(voxels, this->Value) : nullptr;
   }
   return slab;

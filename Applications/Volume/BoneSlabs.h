@@ -10,6 +10,7 @@
 #define BoneDecimate_Applications_BoneSlabs_h
 
 #include "BoneVolume.h"
+#include "FieldOfView.h"
 #include "SlabReader.h"
 
 #include <cstdint>
@@ -35,6 +36,7 @@ public:
 
   const std::string& GetProblem() const { return this->Problem; }
   const std::string& GetNote() const { return this->Note; }
+  const std::string& GetRemark() const { return this->Remark; }
   double GetVoxelSize() const; ///< mm, the least side.
   std::int64_t GetNumberOfLayers() const { return this->Size[2]; }
   std::int64_t GetBytesOfVoxels() const; ///< In memory.
@@ -70,11 +72,13 @@ private:
   VoxelSpacing Spacing;
   std::string Problem;
   std::string Note;
+  std::string Remark;
   std::array<std::int64_t, 3> Size{ { 0, 0, 0 } };
   std::size_t BytesInALayer = 0;
   bool ReadsWhole = false;
   volume::VolumeGeometry Geometry;
   volume::LayerPositions Layers;
+  volume::FieldOfView View;
   std::vector<std::int64_t> Points; ///< CountContourPoints().
   std::unique_ptr<volume::SlabReader> Reader;
   std::vector<std::int64_t> LastLayers; ///< Of the slabs.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneVolume.h"
 
+#include "DataFile.h"
+#include "FieldOfView.h"
 #include "IntensityChecks.h"
 #include "OutwardContour.h"
 #include "VolumeFile.h"
@@ -25,15 +27,23 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
   }
   const Volume volume = ReadVolume(path, spacing);
   bone.Note = volume.Note;
+  bone.Remark = volume.Remark;
   bone.Problem = volume.Problem.empty() && change && !volume.Layers.empty()
     ? "its slices are not evenly spaced, which --fill-volume needs"
     : volume.Problem;
   if (bone.Problem.empty())
   {
+    FieldOfView view(hounsfield);
+    view.Add(volume);
     ValueSurvey survey;
     survey.Add(volume);
-    bone.Problem = IntensityProblem(survey, hounsfield, policy);
+    bone.Problem = FirstOf({ view.Problem(), IntensityProblem(survey, hounsfield, policy) });
     AppendNote(bone.Note, MaskNote(survey));
+    if (view.HasPadding())
+    {
+      view.Clear(volume);
+      AppendNote(bone.Note, view.Note());
+    }
   }
   if (bone.Problem.empty())
   {

@@ -38,6 +38,19 @@ std::string ReadVolumesText();
  */
 bool TakeSeriesBelow(const std::string& folder);
 
+/**
+ * From now on folders of several DICOM series give the one that the text names: its number in the list, its unique identifier, or its
+ * description, whole or in part. An impossible choice is rejected with the list.
+ * @param choice Empty: the largest.
+ */
+void ChooseSeries(const std::string& choice);
+
+/// Whether ChooseSeries() counts for it: a folder of DICOM files or a DICOMDIR.
+bool HasSeries(const std::string& path);
+
+/// Why a folder without the series that was chosen is rejected. A batch passes over it.
+inline constexpr const char* NoSeriesReason = "it has no series ";
+
 struct BoneSurface
 {
   vtkSmartPointer<vtkPolyData>
@@ -45,6 +58,7 @@ struct BoneSurface
   double VoxelSize = 0.0; ///< mm, the least side of its voxels.
   std::string Problem;    ///< Why it was rejected; empty if it was not.
   std::string Note;       ///< What of the input was left aside, for the user; may be empty.
+  std::string Remark;     ///< What was done as the user wants it; may be empty.
 };
 
 /// How the values of a volume are taken that look like the labels of a segmentation.

@@ -24,10 +24,13 @@ std::vector<std::string> DicomFiles(const std::string& folder);
 /// Those in it and in the folders below, to a depth of 8; links to folders are not followed. @param most Of these.
 std::vector<std::string> DicomFilesBelow(const std::string& folder, std::size_t most = 1 << 20);
 
+/// What ChooseSeries() was called with.
+const std::string& RequestedSeries();
+
 bool HoldsDicom(const std::string& folder);
 
 /**
- * The series with most slices, CT before anything else; the note says what was left aside. Slices
+ * The series that RequestedSeries() names or the one with most slices, CT before anything else; the note says what was left aside. Slices
  * are sorted by their position along the normal of the image plane. Slices missing in between are a
  * reason to reject. In a folder without slices those of the folders below are taken, as on a CD. A folder without slices may hold one segmentation. May end the process on damaged files: to be called by an IsolatedReader.
  */

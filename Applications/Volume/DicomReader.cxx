@@ -3,132 +3,29 @@
 #include "DicomFolder.h"
 #include "FilePath.h"
 
+#include "CurrentFile.h"
 #include "DataFile.h"
-#include "DicomFrames.h"
+#include "DicomChoice.h"
+#include "DicomScan.h"
 #include "DicomSegmentation.h"
 #include "DicomSeries.h"
-#include "DicomTags.h"
 #include "GdcmMessages.h"
 #include "IntensityChecks.h"
-#include "MemoryCap.h"
-#include "TextNumbers.h"
 
 #include <gdcmImageReader.h>
 #include <gdcmRescaler.h>
-#include <gdcmScanner.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <optional>
 #include <system_error>
 
 namespace bonedecimate::volume
 {
 namespace
 {
-const gdcm::Tag Instance(0x0008, 0x0018);
-const gdcm::Tag Series(0x0020, 0x000e);
-const gdcm::Tag ClassOfImage(0x0008, 0x0016);
-const gdcm::Tag PixelRepresentation(0x0028, 0x0103);
-const gdcm::Tag PaddingValue(0x0028, 0x0120);
-const gdcm::Tag PaddingLimit(0x0028, 0x0121);
-
 constexpr float Air = -1000.0F; // HU
-
-std::string Text(const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag)
-{
-  const char* value = scanner.GetValue(file.c_str(), tag);
-  return value ? Trimmed(value) : std::string();
-}
-
-/// Exactly so many numbers, or none.
-std::optional<std::vector<double>> Numbers(
-  const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag, std::size_t count)
-{
-  auto numbers = ParseNumbers(Text(scanner, file, tag));
-  return numbers && numbers->size() == count ? numbers : std::nullopt;
-}
-
-double NumberOr(
-  double otherwise, const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag)
-{
-  const auto number = Numbers(scanner, file, tag, 1);
-  return number ? number->front() : otherwise;
-}
-
-/// Stored values, the smaller first.
-std::optional<std::array<double, 2>> PaddingOf(
-  const gdcm::Scanner& scanner, const std::string& file)
-{
-  const auto value = Numbers(scanner, file, PaddingValue, 1);
-  if (!value)
-  {
-    return std::nullopt;
-  }
-  constexpr double beyond = 65536.0;
-  const bool isSigned = Text(scanner, file, PixelRepresentation) == "1";
-  // The type of the attribute is that of the pixels, which not every writer says.
-  const auto stored = [isSigned](double number)
-  { return isSigned && number >= beyond / 2.0 ? number - beyond : number; };
-  const double first = stored(value->front());
-  const double last = stored(NumberOr(value->front(), scanner, file, PaddingLimit));
-  return std::array<double, 2>{ { std::min(first, last), std::max(first, last) } };
-}
-
-/// What does not say where it lies; of several frames what all have. Nothing for what is no image.
-std::optional<DicomSlice> ReadImage(const gdcm::Scanner& scanner, const std::string& file)
-{
-  const auto rows = ParseWholeNumber(Text(scanner, file, tags::Rows));
-  const auto columns = ParseWholeNumber(Text(scanner, file, tags::Columns));
-  if (!rows || !columns)
-  {
-    return std::nullopt;
-  }
-  DicomSlice slice;
-  slice.File = file;
-  slice.Series = Text(scanner, file, Series);
-  slice.Instance = Text(scanner, file, Instance);
-  slice.IsTomography = Text(scanner, file, tags::Modality) == "CT";
-  slice.Frames = ParseWholeNumber(Text(scanner, file, tags::Frames)).value_or(1);
-  slice.Rows = *rows;
-  slice.Columns = *columns;
-  slice.Slope = NumberOr(1.0, scanner, file, tags::Slope);
-  slice.Intercept = NumberOr(0.0, scanner, file, tags::Intercept);
-  slice.Padding = PaddingOf(scanner, file);
-  return slice;
-}
-
-/// Nothing for reports, localizers without a position and whatever else lies about.
-std::optional<DicomSlice> ReadSlice(const gdcm::Scanner& scanner, const std::string& file)
-{
-  const auto position = Numbers(scanner, file, tags::Position, 3);
-  const auto orientation = Numbers(scanner, file, tags::Orientation, 6);
-  const auto spacing = Numbers(scanner, file, tags::PixelSpacing, 2);
-  std::optional<DicomSlice> slice = ReadImage(scanner, file);
-  if (!position || !orientation || !spacing || !slice)
-  {
-    return std::nullopt;
-  }
-  std::copy_n(position->begin(), 3, slice->Position.begin());
-  std::copy_n(orientation->begin(), 3, slice->AlongRow.begin());
-  std::copy_n(orientation->begin() + 3, 3, slice->AlongColumn.begin());
-  slice->RowDistance = (*spacing)[0];
-  slice->ColumnDistance = (*spacing)[1];
-  return slice;
-}
-
-/// What the DICOM files of a folder are.
-struct ScannedFiles
-{
-  std::vector<DicomSlice> Slices;
-  std::vector<std::string> Segmentations;
-  std::vector<std::string>
-    FramesOfImages;       ///< Files of several frames that do not say where each lies.
-  std::size_t Images = 0; ///< Files that have slices.
-};
 
 std::string FramesProblem(const std::string& file)
 {
@@ -137,62 +34,20 @@ std::string FramesProblem(const std::string& file)
     "NIfTI (dcm2niix)";
 }
 
-/// Bytes.
-std::uint64_t LargestOf(const std::vector<std::string>& files)
+/// Of a file beside the slices that are taken: what it holds may be missing.
+std::string DamageProblem(const std::vector<std::string>& damaged, const DicomSlices& taken)
 {
-  std::uint64_t largest = 0;
-  for (const std::string& file : files)
+  for (const std::string& file : damaged)
   {
-    largest = std::max(largest, SizeOfFile(file));
-  }
-  return largest;
-}
-
-/// Whatever its modality is called.
-bool IsOfSegments(const gdcm::Scanner& scanner, const std::string& file)
-{
-  const std::string kind = Text(scanner, file, ClassOfImage);
-  return kind == "1.2.840.10008.5.1.4.1.1.66.4" || kind == "1.2.840.10008.5.1.4.1.1.66.7";
-}
-
-ScannedFiles ScanFiles(const std::vector<std::string>& files)
-{
-  const MemoryCap cap(MemoryForFiles(LargestOf(files)));
-  const GdcmMessages messages;
-  gdcm::Scanner scanner;
-  for (const gdcm::Tag& tag : { ClassOfImage, Instance, tags::Modality, Series, tags::Position,
-         tags::Orientation, tags::Frames, tags::Rows, tags::Columns, tags::PixelSpacing,
-         tags::Intercept, tags::Slope, PixelRepresentation, PaddingValue, PaddingLimit })
-  {
-    scanner.AddTag(tag);
-  }
-  scanner.Scan(files);
-  ScannedFiles scanned;
-  for (const std::string& file : files)
-  {
-    const auto slice = ReadSlice(scanner, file);
-    if (Text(scanner, file, tags::Modality) == "SEG")
+    const auto parent = FilePath(file).parent_path();
+    if (std::any_of(taken.begin(), taken.end(),
+          [&parent](const DicomSlice& slice)
+          { return FilePath(slice.File).parent_path() == parent; }))
     {
-      scanned.Segmentations.push_back(file);
-    }
-    else if (slice)
-    {
-      scanned.Slices.push_back(*slice);
-      ++scanned.Images;
-    }
-    else if (const auto image = ReadImage(scanner, file);
-             image && image->Frames > 1 && !IsOfSegments(scanner, file))
-    {
-      const std::vector<DicomSlice> frames = FramesOf(*image);
-      scanned.Slices.insert(scanned.Slices.end(), frames.begin(), frames.end());
-      scanned.Images += frames.empty() ? 0 : 1;
-      if (frames.empty())
-      {
-        scanned.FramesOfImages.push_back(file);
-      }
+      return DamagedFileProblem(file);
     }
   }
-  return scanned;
+  return std::string();
 }
 
 std::string LeftAsideNote(std::size_t others)
@@ -239,10 +94,11 @@ std::string ReadStored(const DicomSlice& slice, StoredImage& stored)
 {
   const GdcmMessages messages;
   gdcm::ImageReader reader;
+  SetCurrentFile(slice.File);
   reader.SetFileName(slice.File.c_str());
   if (!reader.Read() || messages.TellOfMissingPixels())
   {
-    return "its pixels are damaged or truncated";
+    return "its pixels are damaged or truncated; copy it again";
   }
   const gdcm::Image& image = reader.GetImage();
   stored.Format = image.GetPixelFormat();
@@ -258,7 +114,8 @@ std::string ReadStored(const DicomSlice& slice, StoredImage& stored)
   stored.Values.resize(bytes);
   if (bytes != pixels * stored.Format.GetPixelSize() || !image.GetBuffer(stored.Values.data()))
   {
-    return "its pixels are damaged, truncated or compressed in a way that cannot be read";
+    return "its pixels are damaged, truncated or compressed in a way that is not read; save it "
+           "uncompressed";
   }
   stored.File = slice.File;
   return std::string();
@@ -283,7 +140,7 @@ std::string DecodeSlice(const DicomSlice& slice, StoredImage& stored, float* val
   const char* const first = stored.Values.data() + static_cast<std::size_t>(slice.Frame) * bytes;
   if (!rescaler.Rescale(reinterpret_cast<char*>(values), first, bytes))
   {
-    return "its pixels are of a type that cannot be read";
+    return "its pixels are of a type that is not read; save it uncompressed";
   }
   ClearPadding(slice, values, pixels);
   return std::string();
@@ -324,6 +181,7 @@ LayeredVolume LayersOfSeries(const DicomSeries& series)
   volume.Header.Geometry = series.Geometry;
   volume.Header.Layers = series.Layers;
   volume.Header.Note = series.Note;
+  volume.Header.Remark = series.Remark;
   volume.ReadLayer = [slices = series.Slices, next = std::size_t(0), stored = StoredImage()](
                        void* values) mutable
   {
@@ -338,21 +196,23 @@ LayeredVolume LayersOfSeries(const DicomSeries& series)
 LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection& selection)
 {
   std::vector<std::string> files = DicomFiles(folder);
-  ScannedFiles scanned = ScanFiles(files);
+  ScannedFiles scanned = ScanFiles(files, folder);
   if (scanned.Slices.empty() && scanned.Segmentations.empty())
   {
     files = DicomFilesBelow(folder);
-    scanned = ScanFiles(files);
+    scanned = ScanFiles(files, folder);
   }
-  const std::size_t segmentations = scanned.Segmentations.size();
-  if (scanned.Slices.empty() && segmentations > 1)
+  const std::vector<DicomSlices> groups = GroupSeries(scanned.Slices);
+  const SeriesChoice choice =
+    ChooseSeriesOf(groups, scanned.SegmentationEntries, folder, RequestedSeries());
+  if (!choice.Problem.empty())
   {
-    return RejectedLayers("it holds " + std::to_string(segmentations) +
-      " DICOM segmentations; give the file of one of them");
+    return RejectedLayers(choice.Problem);
   }
-  if (scanned.Slices.empty() && segmentations == 1)
+  if (choice.Index >= groups.size() && !scanned.Segmentations.empty())
   {
-    LayeredVolume volume = OpenDicomSegmentation(scanned.Segmentations.front(), selection);
+    LayeredVolume volume =
+      OpenDicomSegmentation(scanned.Segmentations[choice.Index - groups.size()], selection);
     AppendNote(volume.Header.Note, LeftAsideNote(files.size() - 1));
     return volume;
   }
@@ -360,7 +220,9 @@ LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection&
   {
     return RejectedLayers(FramesProblem(scanned.FramesOfImages.front()));
   }
-  DicomSeries series = LargestSeries(scanned.Slices, folder);
+  DicomSeries series = TakeSeries(groups, choice.Index, choice.IsRequested, folder);
+  const std::string damage = DamageProblem(scanned.Damaged, series.Slices);
+  series.Problem = damage.empty() ? series.Problem : damage;
   const std::string others = LeftAsideNote(files.size() - scanned.Images);
   series.Note += (series.Note.empty() || others.empty() ? "" : " ") + others;
   return LayersOfSeries(series);
@@ -372,14 +234,14 @@ LayeredVolume OpenDicomFile(const std::string& file, const SegmentSelection& sel
   {
     return RejectedLayers("it is not a DICOM file");
   }
-  const ScannedFiles scanned = ScanFiles({ file });
+  const std::string folder = FilePath(file).parent_path().string();
+  const ScannedFiles scanned = ScanFiles({ file }, folder);
   if (!scanned.FramesOfImages.empty())
   {
     return RejectedLayers(FramesProblem(file));
   }
   const bool isEnhanced = !scanned.Slices.empty() && scanned.Slices.front().FramesInFile > 1;
-  return isEnhanced
-    ? LayersOfSeries(LargestSeries(scanned.Slices, FilePath(file).parent_path().string()))
-    : OpenDicomSegmentation(file, selection);
+  return isEnhanced ? LayersOfSeries(TakeSeries(GroupSeries(scanned.Slices), 0, false, folder))
+                    : OpenDicomSegmentation(file, selection);
 }
 }

@@ -15,7 +15,7 @@ namespace bonedecimate::volume
 {
 namespace
 {
-using Slices = std::vector<DicomSlice>;
+using Slices = DicomSlices;
 
 /// A localizer often stands in the series it was made for: same identifier, another plane.
 bool BelongTogether(const DicomSlice& a, const DicomSlice& b)
@@ -263,49 +263,74 @@ std::string SubfolderOf(const Slices& slices, const std::string& folder)
   return subfolder.empty() ? subfolder : " in " + subfolder;
 }
 
-/// Of the series that were not taken, the empty one.
-std::string OthersText(const std::vector<Slices>& groups, const std::string& folder)
+/// Of the series that were not taken, with their numbers.
+std::string OthersText(
+  const std::vector<Slices>& groups, std::size_t taken, const std::string& folder)
 {
   constexpr std::size_t most = 5;
   std::string text;
   std::size_t count = 0;
-  for (const Slices& group : groups)
+  for (std::size_t i = 0; i < groups.size(); ++i)
   {
-    if (!group.empty() && ++count <= most)
+    if (i != taken && ++count <= most)
     {
-      text += (count > 1 ? ", " : "") + std::to_string(group.size()) +
-        (group.size() == 1 ? " slice" : " slices") + SubfolderOf(group, folder) + " from " +
-        NameOf(group.front()) + " on";
+      text += (count > 1 ? ", " : "") + std::to_string(i + 1) + ": " + GroupText(groups[i], folder);
     }
   }
   return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
 }
-}
 
-DicomSeries LargestSeries(const Slices& slices, const std::string& folder)
+/// Which series was taken where there are several, or in a folder below.
+std::string TakenNote(const std::vector<Slices>& groups, std::size_t taken,
+  const DicomSeries& series, const std::string& folder)
 {
-  DicomSeries series;
-  std::vector<Slices> groups = Grouped(slices);
-  if (groups.empty())
-  {
-    series.Problem = "none of its DICOM files is an image with a position in the patient";
-    return series;
-  }
-  const auto rank = [](const Slices& group)
-  { return std::make_pair(group.front().IsTomography, group.size()); };
-  const auto largest = std::max_element(groups.begin(), groups.end(),
-    [&rank](const Slices& a, const Slices& b) { return rank(a) < rank(b); });
-  series.Slices = std::move(*largest);
-  const std::size_t copies = RemoveCopies(series.Slices);
+  const std::string where = SubfolderOf(series.Slices, folder);
   if (groups.size() > 1)
   {
-    series.Note = "Of " + std::to_string(groups.size()) + " series the one with " +
-      std::to_string(series.Slices.size()) + " slices was taken" +
-      SubfolderOf(series.Slices, folder) + "; others: " + OthersText(groups, folder) + ".";
+    return "Of " + std::to_string(groups.size()) + " series the one with " +
+      std::to_string(series.Slices.size()) + " slices was taken" + where +
+      "; others, for --series: " + OthersText(groups, taken, folder) + ".";
   }
-  else if (!SubfolderOf(series.Slices, folder).empty())
+  return where.empty() ? where : "The series" + where + " was taken.";
+}
+}
+
+std::vector<Slices> GroupSeries(const Slices& slices)
+{
+  std::vector<Slices> groups = Grouped(slices);
+  const auto rank = [](const Slices& group)
+  { return std::make_pair(group.front().IsTomography, group.size()); };
+  std::stable_sort(groups.begin(), groups.end(),
+    [&rank](const Slices& a, const Slices& b) { return rank(b) < rank(a); });
+  return groups;
+}
+
+std::string GroupText(const Slices& group, const std::string& folder)
+{
+  return std::to_string(group.size()) + (group.size() == 1 ? " slice" : " slices") +
+    SubfolderOf(group, folder) + " from " + NameOf(group.front()) + " on";
+}
+
+DicomSeries TakeSeries(
+  const std::vector<Slices>& groups, std::size_t index, bool isRequested, const std::string& folder)
+{
+  DicomSeries series;
+  if (groups.empty())
   {
-    series.Note = "The series" + SubfolderOf(series.Slices, folder) + " was taken.";
+    series.Problem = "none of its DICOM files is an image with a position in the patient, as those "
+                     "of a CT or MR are";
+    return series;
+  }
+  series.Slices = groups[index];
+  const std::size_t copies = RemoveCopies(series.Slices);
+  if (isRequested)
+  {
+    series.Remark = "series " + std::to_string(index + 1) + " of " + std::to_string(groups.size()) +
+      " is taken, as --series says: " + GroupText(groups[index], folder);
+  }
+  else
+  {
+    series.Note = TakenNote(groups, index, series, folder);
   }
   if (copies > 0)
   {
@@ -314,7 +339,8 @@ DicomSeries LargestSeries(const Slices& slices, const std::string& folder)
   }
   if (series.Slices.size() < 2)
   {
-    series.Problem = "its largest series has one slice, a surface needs at least two";
+    series.Problem = std::string(isRequested ? "that" : "its largest") +
+      " series has one slice, a surface needs at least two";
     return series;
   }
   SortByPosition(series.Slices);

@@ -21,6 +21,7 @@ struct DicomSlice
 {
   std::string File;
   std::string Series;        ///< Unique identifier of the series; compared, never written anywhere.
+  std::string Description;   ///< Of the series, UTF-8; written to no report.
   std::string Instance;      ///< That of the image, to know copies of one file.
   bool IsTomography = false; ///< CT.
   std::int64_t Frames = 1;
@@ -46,10 +47,20 @@ struct DicomSeries
   LayerPositions Layers;
   std::string Problem;
   std::string Note;
+  std::string Remark; ///< As of a Volume.
 };
 
-/// The slices may come in any order. @param folder In which they are, or below.
-DicomSeries LargestSeries(const std::vector<DicomSlice>& slices, const std::string& folder);
+using DicomSlices = std::vector<DicomSlice>;
+
+/// The slices, in any order, by series; CT before any other modality, then the largest first.
+std::vector<DicomSlices> GroupSeries(const DicomSlices& slices);
+
+/// "24 slices in S1/S20 from IM0001.dcm on". @param folder In which they are, or below.
+std::string GroupText(const DicomSlices& group, const std::string& folder);
+
+/// One of the groups. @param isRequested By the user; otherwise the note names the others.
+DicomSeries TakeSeries(const std::vector<DicomSlices>& groups, std::size_t index, bool isRequested,
+  const std::string& folder);
 }
 
 #endif

@@ -115,7 +115,7 @@ std::string ItkImage::ReadSize(int dimensions)
   }
   if (this->Header.ScalarType == VTK_VOID)
   {
-    return "the type of its voxels cannot be read";
+    return "the type of its voxels is not read; save them as numbers of 8, 16, 32 or 64 bits";
   }
   if (reader.GetFileType() == itk::IOFileEnum::ASCII)
   {

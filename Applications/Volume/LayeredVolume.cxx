@@ -30,6 +30,7 @@ LayeredVolume LayersOf(const Volume& volume)
   layers.Header.Layers = volume.Layers;
   layers.Header.Problem = volume.Problem;
   layers.Header.Note = volume.Note;
+  layers.Header.Remark = volume.Remark;
   layers.Header.IsReadWhole = true;
   if (!volume.Problem.empty())
   {

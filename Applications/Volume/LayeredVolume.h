@@ -26,6 +26,7 @@ struct VolumeHeader
   bool IsReadWhole = false; ///< The format gives no single layers: its reader holds all voxels.
   std::string Problem;      ///< Why there are no voxels; empty if there are.
   std::string Note;         ///< As of a Volume.
+  std::string Remark;       ///< The same.
 
   std::size_t BytesInALayer() const;
 };

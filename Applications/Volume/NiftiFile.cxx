@@ -193,7 +193,7 @@ std::string SpacingProblem(const NiftiHeader& header)
     const double spacing = header.Unit().Millimeters * double(header.At<float>(80 + 4 * axis));
     if (!(std::abs(Length(geometry.Steps[axis]) - spacing) <= 1e-3 * spacing))
     {
-      return "its spacing is not that of its sform";
+      return "its spacing is not that of its sform; save it with the same in both";
     }
   }
   return std::string();
@@ -317,7 +317,7 @@ std::string VoxelsProblem(const NiftiHeader& header, const ItkHeader& read, cons
   const StoredType type = TypeOf(header.At<std::int16_t>(70));
   if (type.Bytes == 0)
   {
-    return "the type of its voxels cannot be read";
+    return "the type of its voxels is not read; save them as numbers of 8, 16, 32 or 64 bits";
   }
   const bool isCompressed = IsCompressed(path);
   const std::uint64_t begin = header.BeginOfVoxels();

@@ -13,6 +13,9 @@
 
 namespace bonedecimate
 {
+/// Why a map in which all voxels are background is rejected. A batch passes over it.
+inline constexpr const char* NoLabelReason = "none of its voxels has a label";
+
 /// Whether the segment is wanted. Empty: all are.
 using SegmentSelection = std::function<bool(std::int64_t label, const std::string& name)>;
 }

@@ -6,6 +6,7 @@
 #include "DicomAttributes.h"
 #include "DicomTags.h"
 #include "DicomText.h"
+#include "SegmentSelection.h"
 #include "TextNumbers.h"
 
 #include <algorithm>
@@ -142,6 +143,10 @@ std::string ReadFrames(const gdcm::DataSet& data, SegmentationHeader& header)
   const DicomItems shared(data, SharedGroups);
   const DicomItems frames(data, PerFrameGroups);
   const std::string count = TextOf(data, tags::Frames);
+  if (frames.Count() == 0 && ParseWholeNumber(count).value_or(0) == 0)
+  {
+    return std::string(NoLabelReason) + ": it has no frames";
+  }
   if (frames.Count() == 0 || ParseWholeNumber(count) != static_cast<std::int64_t>(frames.Count()))
   {
     return "it announces '" + count + "' frames and describes " + std::to_string(frames.Count());

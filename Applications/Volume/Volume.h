@@ -39,6 +39,7 @@ struct Volume
   LayerPositions Layers;
   std::string Problem; ///< Why there is no image; empty if there is one.
   std::string Note;    ///< What of the input was left aside, for the user; may be empty.
+  std::string Remark;  ///< What was done as the user wants it, which is no warning; may be empty.
 };
 
 Volume RejectedVolume(const std::string& problem);

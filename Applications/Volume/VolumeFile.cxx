@@ -75,6 +75,12 @@ std::set<std::string>& FoldersOfSeries()
   return folders;
 }
 
+std::string& SeriesChoiceText()
+{
+  static std::string choice;
+  return choice;
+}
+
 /// The table of contents of a CD, which represents its folder.
 bool IsDirectoryFile(const std::string& path)
 {
@@ -171,8 +177,8 @@ bool IsVolumeFile(const std::string& path)
 std::string ReadVolumesText()
 {
   return ".nii, .nii.gz, .nrrd, .nhdr, .seg.nrrd, .mha, .mhd, .vti, a .tif of several pages, a "
-         ".dcm of segments, and a folder of "
-         "DICOM files or TIFF slices";
+         ".dcm of segments or of several frames, a DICOMDIR, and a folder of DICOM files or TIFF "
+         "slices";
 }
 
 bool TakeSeriesBelow(const std::string& folder)
@@ -183,6 +189,16 @@ bool TakeSeriesBelow(const std::string& folder)
     FoldersOfSeries().insert(folder);
   }
   return hasSeries;
+}
+
+void ChooseSeries(const std::string& choice)
+{
+  SeriesChoiceText() = choice;
+}
+
+bool HasSeries(const std::string& path)
+{
+  return KindOf(path) == VolumeKind::DicomFolder;
 }
 
 std::vector<std::string> VolumeExtensions()
@@ -202,6 +218,11 @@ bool NeedsSpacing(const std::string& path)
 
 namespace volume
 {
+const std::string& RequestedSeries()
+{
+  return SeriesChoiceText();
+}
+
 std::unique_ptr<IsolatedReader> OpenVolume(
   const std::string& path, const VoxelSpacing& spacing, const SegmentSelection& selection)
 {
@@ -247,6 +268,7 @@ Volume ReadVolume(
   volume.Geometry = header.Geometry;
   volume.Layers = header.Layers;
   volume.Note = header.Note;
+  volume.Remark = header.Remark;
   volume.Problem = header.Problem;
   if (volume.Problem.empty())
   {

@@ -12,7 +12,7 @@
 #include "Report/ReportCells.h"
 #include "RunInput.h"
 #include "RunState.h"
-#include "WeldRun.h"
+#include "RunWarnings.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -302,8 +302,10 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   this->Warn(read.Converted.Warnings);
   this->Warn(read.Reference.Warnings);
   this->Warn(bonedecimate::ArrayWarnings(input, options));
-  this->Warn(bonedecimate::WeldSentences(result.Weld));
-  this->Warn(bonedecimate::InputWarnings(this->State->Report));
+  // A part has boundaries of its own.
+  this->Warn(this->Part
+      ? bonedecimate::InputWarnings(this->State->Report)
+      : bonedecimate::RunWarnings(read.Converted.Surface, result, options.NumberOfThreads));
   FillOutputs(result, read.Converted, options, read.Inputs.LabelMap, input, outputVector);
   const bool isContinued = this->Part && this->Part->Part.Reference != nullptr;
   if (const std::string contradiction = bonedecimate::ProofMessage(result.Report);

@@ -9,6 +9,7 @@
 #include "Levels.h"
 #include "NamedArrays.h"
 #include "RunState.h"
+#include "RunWarnings.h"
 #include "SurfaceArrays.h"
 #include "SurfaceConversion.h"
 
@@ -317,7 +318,8 @@ bool vtkBoneDecimateLevels::Record()
     vtkErrorMacro(<< bonedecimate::InputMessage(run.Report));
     return false;
   }
-  this->Warn(bonedecimate::InputWarnings(run.Report));
+  this->Warn(
+    bonedecimate::RunWarnings(converted.Surface, run, this->State->Options.NumberOfThreads));
   const std::string contradiction = bonedecimate::ProofMessage(run.Report);
   if (!contradiction.empty())
   {

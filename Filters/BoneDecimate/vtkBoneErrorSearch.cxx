@@ -9,6 +9,7 @@
 #include "NamedArrays.h"
 #include "PassedNames.h"
 #include "RunState.h"
+#include "RunWarnings.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDoubleArray.h"
@@ -209,7 +210,8 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->Warn(converted.Warnings);
   this->Warn(bonedecimate::ArrayWarnings(input, options.Run));
-  this->Warn(bonedecimate::InputWarnings(found.Found.Report));
+  this->Warn(
+    bonedecimate::RunWarnings(converted.Surface, found.Found, options.Run.NumberOfThreads));
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
   this->ErrorTriedInVain = found.TriedInVain;

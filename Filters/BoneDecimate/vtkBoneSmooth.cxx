@@ -9,6 +9,7 @@
 #include "PassedNames.h"
 #include "Pieces.h"
 #include "RunState.h"
+#include "RunWarnings.h"
 #include "SurfaceConversion.h"
 
 #include "vtkCellData.h"
@@ -62,7 +63,6 @@ bool vtkBoneSmooth::Accept(const std::vector<std::string>& warnings)
     return false;
   }
   this->Warn(warnings);
-  this->Warn(InputWarnings(report));
   const std::string contradiction = ProofMessage(report);
   if (!contradiction.empty())
   {
@@ -112,6 +112,9 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   const std::vector<std::string> renamed = ArrayWarnings(input, options);
   warnings.insert(warnings.end(), renamed.begin(), renamed.end());
   this->State->Keep(result.Report);
+  const std::vector<std::string> ofRun =
+    RunWarnings(converted.Surface, result, options.NumberOfThreads);
+  warnings.insert(warnings.end(), ofRun.begin(), ofRun.end());
   if (!this->Accept(warnings))
   {
     return 0;

@@ -263,7 +263,7 @@ class Scans(ApplicationTest):
         self.write_series("cd/S1/S10", range(3), series="5")
         (low, _), text = self.heights("cd")
         self.assertAlmostEqual(low, 3.5, delta=0.5)
-        self.assertIn("Of 2 series the one with 24 slices was taken in S1/S20; others: 3 slices in S1/S10 from IM0001.dcm on.", text)
+        self.assertIn("Of 2 series the one with 24 slices was taken in S1/S20; others, for --series: 2: 3 slices in S1/S10 from IM0001.dcm on.", text)
         meta = element(2, 0x10, "UI", "1.2.840.10008.1.2.1")
         self.path("cd/DICOMDIR").write_bytes(bytes(128) + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(meta))) + meta + element(4, 0x1130, "CS", "CD"))
         for name in ("cd", "cd/DICOMDIR"):

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -232,6 +233,19 @@ TEST(BadInput, APolygonWithoutAreaIsLeftOutAloud)
   EXPECT_EQ(run.Triangles(), 2);
   EXPECT_EQ(WhatIsWrong(SurfaceOf(run.Output())), "");
   EXPECT_FALSE(run.SaidNothing()) << "two polygons were left out without a word";
+}
+
+TEST(BadInput, ASurfaceInsideOutIsAWarning)
+{
+  Surface surface = SurfaceOf(Bumps(2));
+  for (Triangle& triangle : surface.Triangles)
+  {
+    std::swap(triangle[0], triangle[1]);
+  }
+  const vtkSmartPointer<vtkPolyData> polyData = PolyData(surface);
+  FilterRun run(polyData);
+  EXPECT_GT(run.Triangles(), 0);
+  EXPECT_EQ(run.Said("1 closed part is inside out, and so is the result"), 1) << run.AllMessages();
 }
 
 TEST(BadInput, OnlyTrianglesWithoutAreaAreAWarning)

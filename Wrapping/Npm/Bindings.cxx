@@ -9,8 +9,8 @@
 #include "Report/CertificateTable.h"
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
+#include "RunWarnings.h"
 #include "Values.h"
-#include "WeldRun.h"
 
 #include <emscripten/bind.h>
 
@@ -116,10 +116,6 @@ val FromResult(const Result& result, bool isSingle)
   to.set("outputPoint", ToArray<Index>(result.Origins.OutputPoint));
   to.set("report", ReportJson(ReportEntries(result.Report)));
   to.set("stop", std::string(StopReasonSentence(result.Report.Stop)));
-  std::vector<std::string> warnings = WeldSentences(result.Weld);
-  const std::vector<std::string> ofInput = InputWarnings(result.Report);
-  warnings.insert(warnings.end(), ofInput.begin(), ofInput.end());
-  to.set("warnings", ToTexts(warnings));
   to.set("contradiction", ProofMessage(result.Report));
   return to;
 }
@@ -141,8 +137,10 @@ val RunDecimate(const val& surface, const val& given, const val& progress)
   inputs.Tolerances = surface["tolerances"].isUndefined() ? nullptr : &tolerances;
   inputs.EdgeLengths = surface["edgeLengths"].isUndefined() ? nullptr : &edgeLengths;
   inputs.LabelMap = source ? &*source : nullptr;
-  const Result result = Decimate(ToSurface(surface), options, MonitorOf(progress), inputs);
+  const Surface input = ToSurface(surface);
+  const Result result = Decimate(input, options, MonitorOf(progress), inputs);
   val to = FromResult(result, options.WritesSingle(inputs.InputIsSingle));
+  to.set("warnings", ToTexts(RunWarnings(input, result, options.NumberOfThreads)));
   if (source && !result.BoundaryLabels.empty())
   {
     to.set("boundaryLabels", ToArray<Index>(result.BoundaryLabels));

@@ -12,7 +12,7 @@
 #include "Report/ReportFigures.h"
 #include "Report/ReportJson.h"
 #include "Report/ReportTable.h"
-#include "WeldRun.h"
+#include "RunWarnings.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -51,7 +51,6 @@ void AddReport(const Report& report, nb::dict& fields)
   fields["status"] = report.Status;
   fields["stop"] = report.Stop;
   fields["problem"] = InputMessage(report);
-  fields["warnings"] = InputWarnings(report);
   fields["contradiction"] = ProofMessage(report);
   fields["rejected_edits"] = RejectedEdits(report);
 }
@@ -84,19 +83,16 @@ nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options
   {
     NameCells([&](std::size_t triangle) { return cells->data()[triangle]; }, result.Report);
   }
-  return ToDict(std::move(result));
+  return ToDict(std::move(result), surface, options.NumberOfThreads);
 }
 }
 
 //------------------------------------------------------------------------------
-nb::dict ToDict(Result&& result)
+nb::dict ToDict(Result&& result, const Surface& input, int threads)
 {
   nb::dict fields;
   AddReport(result.Report, fields);
-  std::vector<std::string> warnings = WeldSentences(result.Weld);
-  const std::vector<std::string> ofInput = InputWarnings(result.Report);
-  warnings.insert(warnings.end(), ofInput.begin(), ofInput.end());
-  fields["warnings"] = warnings;
+  fields["warnings"] = RunWarnings(input, result, threads);
   fields["points"] = ToRows<double>(std::move(result.Surface.Points));
   fields["triangles"] = ToRows<Index>(std::move(result.Surface.Triangles));
   fields["distance"] = ToArray(std::move(result.Distance));

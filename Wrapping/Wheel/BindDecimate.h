@@ -13,8 +13,8 @@
 
 namespace bonedecimate
 {
-/// Arrays that were not filled are empty.
-nanobind::dict ToDict(Result&& result);
+/// Arrays that were not filled are empty. @param input,threads Of the run.
+nanobind::dict ToDict(Result&& result, const Surface& input, int threads);
 }
 
 #endif

@@ -47,7 +47,8 @@ nb::tuple Record(const PointsIn& points, const TrianglesIn& triangles, const Opt
   Result run = Listener(std::move(progress))
                  .Hear([&](const Monitor& monitor)
                    { return RecordLevels(surface, options, monitor, { single }, *levels); });
-  return nb::make_tuple(ToDict(std::move(run)), std::move(levels));
+  return nb::make_tuple(
+    ToDict(std::move(run), surface, options.NumberOfThreads), std::move(levels));
 }
 
 std::unique_ptr<Levels> Open(

@@ -50,6 +50,10 @@ const std::vector<FileKind>& FileKinds()
     { "SURFACE", SurfacesOfBuild },
     { "NAME.EXT", SurfacesOfBuild },
     { "LABELMAP", VolumeExtensions },
+    { "totalsegmentator|TABLE",
+      [] {
+        return Extensions{ "json", "tsv", "csv", "ctbl", "txt", "label" };
+      } },
     { "THESIS", [] { return Extensions{ "obj" }; } },
     { "JSON", [] { return Extensions{ "json" }; } },
     { "HTML", [] { return Extensions{ "html" }; } },

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsolatedReader.h"
 
+#include "CurrentFile.h"
 #include "Pipe.h"
 #include "SentFields.h"
 
@@ -40,7 +41,8 @@ struct Shape
 
 bool SendHeader(const VolumeHeader& header, Pipe& pipe)
 {
-  if (!pipe.SendText(header.Problem) || !pipe.SendText(header.Note) || !header.Problem.empty())
+  if (!pipe.SendText(header.Problem) || !pipe.SendText(header.Note) ||
+    !pipe.SendText(header.Remark) || !header.Problem.empty())
   {
     return false;
   }
@@ -154,6 +156,7 @@ IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
   : From(std::make_unique<Source>())
 {
   Source& from = *this->From;
+  ResetCurrentFile();
   from.Child = from.FromChild.IsOpen() ? fork() : -1;
   if (from.Child < 0)
   {
@@ -177,7 +180,8 @@ IsolatedReader::~IsolatedReader() = default;
 /// False if the child ended before it had sent all.
 bool IsolatedReader::Source::ReceiveHeader(VolumeHeader& header)
 {
-  if (!this->FromChild.ReceiveText(header.Problem) || !this->FromChild.ReceiveText(header.Note))
+  if (!this->FromChild.ReceiveText(header.Problem) || !this->FromChild.ReceiveText(header.Note) ||
+    !this->FromChild.ReceiveText(header.Remark))
   {
     return false;
   }
@@ -234,6 +238,7 @@ std::string IsolatedReader::Source::ReasonOfEnd()
   {
     throw std::bad_alloc();
   }
-  return "it is damaged";
+  const std::string file = CurrentFile();
+  return file.empty() ? "it is damaged" : DamagedFileProblem(file);
 }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsolatedReader.h"
 
+#include "CurrentFile.h"
+
 #include <exception>
 #include <new>
 
@@ -23,6 +25,7 @@ IsolatedReader::IsolatedReader(const std::string& problem)
 IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
   : From(std::make_unique<Source>())
 {
+  ResetCurrentFile();
   try
   {
     this->From->Volume = open();
@@ -34,7 +37,8 @@ IsolatedReader::IsolatedReader(const std::function<LayeredVolume()>& open)
   }
   catch (const std::exception&)
   {
-    this->Header.Problem = "it is damaged";
+    const std::string file = CurrentFile();
+    this->Header.Problem = file.empty() ? "it is damaged" : DamagedFileProblem(file);
   }
 }
 

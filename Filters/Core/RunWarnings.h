@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RunWarnings.h
+ * @brief What a run warns of.
+ */
+#ifndef BoneDecimate_Core_RunWarnings_h
+#define BoneDecimate_Core_RunWarnings_h
+
+#include "Decimate.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// WeldSentences(), InputWarnings() and SurfaceHints(), a sentence each. @param input Before welding and cleaning.
+std::vector<std::string> RunWarnings(const Surface& input, const Result& result, int threads = 0);
+}
+
+#endif
