@@ -26,6 +26,7 @@ def arguments():
     parser.add_argument("--driver", default=os.environ.get("DUMP_VOLUME", "build/release/bin/bonedecimate-dump-volume"))
     parser.add_argument("--only", type=int, action="append", help="number of a variant")
     parser.add_argument("--keep", help="folder for the files of differences")
+    parser.add_argument("--generator", action="store_true", help="compare with the generator alone")
     parser.add_argument("--explained", action="store_true", help="list the explained differences")
     return parser.parse_args()
 
@@ -35,7 +36,7 @@ def main():
     print("| format | variants | read by ours | readers of others | differences | explained |\n|---|---:|---:|---|---:|---:|")
     is_same = True
     for name in options.format or formats.FORMATS:
-        module, readers = formats.FORMATS[name], formats.readers_of(name)
+        module, readers = formats.FORMATS[name], {} if options.generator else formats.readers_of(name)
         result = comparison.compare(name, module, readers, options.variants, options.driver, options.only, options.keep)
         others = ", ".join(f"{reader} ({count})" for reader, count in result.readers.items())
         print(f"| {name} | {result.variants:,} | {result.read:,} | {others} | {len(result.found)} | {sum(result.explained.values()):,} |",

@@ -7,7 +7,7 @@ import pathlib
 import numpy as np
 
 from readers import SimpleITK, optional
-from truth import Reading, Refused
+from truth import Reading, Refused, reversed_layers
 
 pydicom = optional("pydicom")
 highdicom = optional("highdicom")
@@ -139,11 +139,7 @@ def highdicom_segments(path, choice):
 
 def oriented(reading):
     """Planes in the order of the normal of their rows and columns, as in ours."""
-    if np.linalg.det(reading.steps) < 0:
-        reading.origin = reading.origin + (reading.voxels.shape[2] - 1) * reading.steps[2]
-        reading.steps = reading.steps * np.array([[1], [1], [-1]])
-        reading.voxels = reading.voxels[:, :, ::-1]
-    return reading
+    return reversed_layers(reading) if np.linalg.det(reading.steps) < 0 else reading
 
 
 def pydicom_segments(path, choice):

@@ -9,6 +9,7 @@ import enhanced_files
 import metaimage_files
 import nifti_files
 import nrrd_files
+import own_readers
 import readers
 import segment_files
 import segment_readers
@@ -26,7 +27,8 @@ READERS = {
     "seg.nrrd": (("slicerio", segment_readers.slicerio, segment_readers.slicerio_segments),
                  ("3D Slicer", slicer_readers.slicer_core, slicer_readers.segmentation)),
     "nifti": (("SimpleITK", readers.SimpleITK, readers.simpleitk_in_mm), ("nibabel", readers.nibabel, readers.nibabel_image),
-              ("VTK", readers.vtk, readers.vtk_nifti)),
+              ("VTK", readers.vtk, readers.vtk_nifti), ("the wheel", own_readers.wheel, own_readers.wheel_nifti),
+              ("the page", own_readers.page, own_readers.page_nifti)),
     "metaimage": (("SimpleITK", readers.SimpleITK, readers.simpleitk), ("VTK", readers.vtk, readers.vtk_image("vtkMetaImageReader"))),
     "dicom": (("pydicom", dicom_readers.pydicom, dicom_readers.pydicom_series),
               ("SimpleITK", readers.SimpleITK, dicom_readers.simpleitk_series)),

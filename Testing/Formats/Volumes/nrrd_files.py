@@ -179,6 +179,7 @@ def rejection(choice):
         (is_placed and choice["space"] == "3D-left-handed", "its space is not RAS, LAS or LPS"),
         (UNITS[choice["units"]] is None and choice["geometry"] != "nothing", "its unit of length is"),
         (choice["axis"] in ("three in front", "two behind"), "values a voxel|4 dimensions"),
+        (choice["axis"] == "one behind" or (choice["axis"] == "one in front" and choice["kinds"] == "none"), "4 dimensions"),
         (choice["encoding"] == "bzip2", "bzip2"))
 
 

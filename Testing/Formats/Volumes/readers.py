@@ -159,6 +159,6 @@ def tifffile_pages(path, choice):
 def vtk_tiff(path, choice):
     def read(file):
         reader = vtk.vtkTIFFReader()
-        reader.SetOrientationType(4)
+        reader.SetOrientationType(1)
         return array_of(update(reader, file)).transpose()
     return Reading(pages_of(path, read))

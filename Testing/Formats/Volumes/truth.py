@@ -46,6 +46,7 @@ class Reading:
     segments: list | None = None  # of (label, name, color)
     note: str = ""
     labels: dict | None = None  # of ours: problem and grid of the label map
+    is_label_map: bool = False  # its axes are made perpendicular
     is_in_units: bool = False  # positions are in the unit of the file, which this reader leaves to its user
 
 
@@ -78,6 +79,14 @@ def values_of(dtype, random, size=SIZE):
     voxels = random.integers(ends.min, ends.max, size, dtype, endpoint=True)
     voxels.flat[:2] = [ends.min, ends.max]
     return voxels
+
+
+def reversed_layers(reading):
+    """The same volume with the last layer first."""
+    reading.origin = reading.origin + (reading.voxels.shape[2] - 1) * reading.steps[2]
+    reading.steps = reading.steps * np.array([[1], [1], [-1]])
+    reading.voxels = reading.voxels[:, :, ::-1]
+    return reading
 
 
 def corners(reading):
