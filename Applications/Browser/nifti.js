@@ -54,7 +54,7 @@ function integersOf(values) {
   return labels;
 }
 
-/** Codes and numbers of both positions, in the unit of the file. Version 2 has them elsewhere, with double precision. */
+/** Codes and numbers of both positions, in the unit of the file. Version 2 has them at other bytes, with double precision. */
 function formsOf(data, header) {
   const isFirst = header instanceof nifti.NIFTI1;
   const view = new DataView(data);
@@ -63,7 +63,7 @@ function formsOf(data, header) {
     Array.from({ length: count }, (_, i) =>
       isFirst ? view.getFloat32(first + 4 * i, isLittle) : view.getFloat64(first + 8 * i, isLittle)
     );
-  const code = (place) => (isFirst ? view.getInt16(place, isLittle) : view.getInt32(place, isLittle));
+  const code = (first) => (isFirst ? view.getInt16(first, isLittle) : view.getInt32(first, isLittle));
   const at = isFirst ? { q: 252, s: 254, turn: 256, offset: 268, rows: 280 } : { q: 344, s: 348, turn: 352, offset: 376, rows: 400 };
   const rows = real(at.rows, 12);
   return {

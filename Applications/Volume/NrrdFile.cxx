@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <vector>
 
@@ -92,18 +93,14 @@ public:
         texts.push_back(axis.units);
       }
     }
-    std::vector<HeaderUnit> units;
-    for (const char* const text : texts)
+    HeaderUnit unit;
+    for (std::size_t i = 0; i < texts.size(); ++i)
     {
-      if (text && *text)
-      {
-        units.push_back(UnitOf(text));
-      }
+      const HeaderUnit ofAxis = UnitOf(texts[i] ? texts[i] : "");
+      const bool isSame = i == 0 || ofAxis.Name == unit.Name;
+      unit = isSame ? ofAxis : HeaderUnit{ unit.Name + ", " + ofAxis.Name, 0.0 };
     }
-    HeaderUnit unit = units.empty() ? UnitOf("") : units.front();
-    const bool areSame = std::all_of(units.begin(), units.end(),
-      [&unit](const HeaderUnit& other) { return other.Name == unit.Name; });
-    return areSame ? unit : HeaderUnit{ unit.Name + " and others", 0.0 };
+    return unit;
   }
 
   /// Of a header without a problem.
@@ -182,6 +179,28 @@ private:
   bool IsLoaded = false;
 };
 
+/// Of voxels as text, in which the library looks for blanks without end.
+std::string TextProblem(const ItkHeader& header, const DataFile& data)
+{
+  constexpr int longest = 64; // of a number
+  const std::string problem = SizeProblem(header.Size, 1, data.Bytes, false);
+  std::ifstream file(data.Path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(data.Begin));
+  const std::string inNumbers = "0123456789+-.eEinfaINFA";
+  const std::string between = " \t\r\n,";
+  int length = 0;
+  for (char c = '\0'; problem.empty() && file.get(c);)
+  {
+    const bool isBetween = between.find(c) != std::string::npos;
+    length = isBetween ? 0 : length + 1;
+    if (length > longest || (!isBetween && inNumbers.find(c) == std::string::npos))
+    {
+      return "its voxels are text by its header, but not all of them are numbers";
+    }
+  }
+  return problem;
+}
+
 /// Of a file of the voxels that the library would open, whatever it is.
 std::string DataFileProblem(const std::string& path, const NrrdText& text)
 {
@@ -236,7 +255,7 @@ LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selectio
       " dimensions, only volumes of three are read");
   }
   const std::string dataProblem = !problem.empty() ? problem
-    : header.IsText                                ? SizeProblem(header.Size, 1, data.Bytes, false)
+    : header.IsText                                ? TextProblem(header, data)
                                                    : DataProblem(header, data);
   if (!dataProblem.empty())
   {

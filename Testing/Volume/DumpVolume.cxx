@@ -109,10 +109,9 @@ void Print(const nlohmann::ordered_json& description)
 
 VoxelSpacing SpacingOf(const std::vector<std::string>& words)
 {
-  return words.size() < 5
-    ? VoxelSpacing()
-    : VoxelSpacing({ { std::atof(words[2].c_str()), std::atof(words[3].c_str()),
-        std::atof(words[4].c_str()) } });
+  return words.size() < 5 ? VoxelSpacing()
+                          : VoxelSpacing({ { std::atof(words[2].c_str()),
+                              std::atof(words[3].c_str()), std::atof(words[4].c_str()) } });
 }
 
 void DumpList()

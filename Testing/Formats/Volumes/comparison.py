@@ -80,7 +80,7 @@ def against_truth(ours, expected):
         fits = any(part in ours for part in expected.rejected.split("|"))
         return [] if fits else [("sentence", ours)]
     if isinstance(ours, str):
-        return [("refuses", ours)]
+        return [("rejects", ours)]
     kinds = [(kind, "") for kind in truth.differences(ours, expected) + truth.label_differences(ours, expected)]
     kinds += [("note", f"{part}: {ours.note}") for part in expected.notes if part not in ours.note]
     return kinds + ([("note", ours.note)] if ours.note and not expected.notes else [])
@@ -88,8 +88,8 @@ def against_truth(ours, expected):
 
 def against_other(other, ours, expected):
     """(kind, detail) of each difference of another reader from ours."""
-    if isinstance(other, truth.Refused):
-        return [] if isinstance(ours, str) else [("refuses", str(other))]
+    if isinstance(other, truth.NotRead):
+        return [] if isinstance(ours, str) else [("rejects", str(other))]
     if isinstance(ours, str):
         return [("reads", ours)]
     if expected.spacing:  # which the other one does not know
@@ -106,7 +106,7 @@ def compare_one(result, number, choice, expected, ours, others):
     differences = [Difference(TRUTH, kind, number, choice, detail) for kind, detail in against_truth(ours, expected)]
     result.read += 0 if isinstance(ours, str) else 1
     for name, other in others.items():
-        result.readers[name] = result.readers.get(name, 0) + (not isinstance(other, truth.Refused))
+        result.readers[name] = result.readers.get(name, 0) + (not isinstance(other, truth.NotRead))
         differences += [Difference(name, kind, number, choice, detail) for kind, detail in against_other(other, ours, expected)]
     for difference in differences:
         reason = explained.reason(result.format, difference) if difference.reader != TRUTH else ""

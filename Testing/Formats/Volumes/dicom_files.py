@@ -104,7 +104,7 @@ def header(choice, k, position, steps, sizes):
     data.set(0x00080016, "UI", CT if choice["modality"] == "CT" else MR)
     if choice["uids"] == "usual":
         data.set(0x00080018, "UI", f"1.2.826.0.1.3680043.10.999.1.{k + 1}")
-    data.set(0x00080060, "CS", choice["modality"]).set(0x00100010, "PN", "Somebody")
+    data.set(0x00080060, "CS", choice["modality"]).set(0x00100010, "PN", "Example")
     data.set(0x0020000d, "UI", "1.2.826.0.1.3680043.10.999.2").set(0x0020000e, "UI", "1.2.826.0.1.3680043.10.999.3")
     instance = {"in order": k + 1, "backward": 100 - k, "all equal": 1, "missing": None}[choice["instances"]]
     if instance is not None:
@@ -133,7 +133,7 @@ def header(choice, k, position, steps, sizes):
     if scale:
         data.set(0x00281053, "DS", scale[0]).set(0x00281052, "DS", scale[1])
     if choice["private"] == "private":
-        data.set(0x00090010, "LO", "SOMEBODY").set(0x00091001, "UN", b"\1\2\3\4").set(0x00291010, "LO", "x")
+        data.set(0x00090010, "LO", "EXAMPLE").set(0x00091001, "UN", b"\1\2\3\4").set(0x00291010, "LO", "x")
     if choice["private"] in ("sequence", "undefined lengths"):
         item = dicom_bytes.DataSet().set(0x00080100, "SH", "T-D0050").set(0x00200032, "DS", ["9", "9", "9"])
         data.set(0x00082218, "SQ", [item, dicom_bytes.DataSet()])
@@ -182,14 +182,14 @@ def write_others(folder, choice, data, first):
 
 def positions(choice, origin, steps):
     """Of the slices that are written, with their index."""
-    places = [(k, origin + k * steps[2]) for k in range(truth.SIZE[2])]
+    located = [(k, origin + k * steps[2]) for k in range(truth.SIZE[2])]
     if choice["slices"] == "one missing":
-        del places[3]
+        del located[3]
     if choice["slices"] == "one aside":
-        places[3] = (3, places[3][1] + 2 * steps[0])
+        located[3] = (3, located[3][1] + 2 * steps[0])
     if choice["slices"] == "at one position":
-        places[3] = (3, places[2][1])
-    return places
+        located[3] = (3, located[2][1])
+    return located
 
 
 def notes_of(choice):
@@ -208,9 +208,9 @@ def rejection(choice):
 
 
 def write(folder, choice, random):
-    origin, steps = truth.place(choice["axes"])
+    origin, steps = truth.position_of(choice["axes"])
     if choice["axes"] == "four decimals":  # of the directions in the header; the positions are exact
-        origin, exact = truth.place("oblique")
+        origin, exact = truth.position_of("oblique")
         steps = np.vstack([steps[:2], exact[2:]])
     stored, low = stored_values(choice, random)
     elements, padding = padding_of(choice, low)

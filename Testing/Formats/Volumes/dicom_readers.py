@@ -7,7 +7,7 @@ import pathlib
 import numpy as np
 
 from readers import SimpleITK, optional
-from truth import Reading, Refused, reversed_layers
+from truth import Reading, NotRead, reversed_layers
 
 pydicom = optional("pydicom")
 highdicom = optional("highdicom")
@@ -46,7 +46,7 @@ def pydicom_series(path, choice):
     heights = [np.dot(np.array(data.ImagePositionPatient, float), normal) for data in slices]
     gaps = np.diff(heights)
     if np.abs(gaps - gaps.mean()).max() > 0.05 * gaps.mean():
-        raise Refused("slices that are not evenly spaced")
+        raise NotRead("slices that are not evenly spaced")
     return Reading(voxels, origin, steps)
 
 
@@ -92,7 +92,7 @@ def pydicom_enhanced(path, choice):
     origin, last = positions[order[0]], positions[order[-1]]
     gaps = np.diff(positions[order] @ np.cross(*rows))
     if np.abs(gaps - gaps.mean()).max() > 0.05 * gaps.mean():
-        raise Refused("slices that are not evenly spaced")
+        raise NotRead("slices that are not evenly spaced")
     steps = np.vstack([rows[0] * spacing[1], rows[1] * spacing[0], (last - origin) / (count - 1)])
     return Reading(np.stack(planes, axis=-1), origin, steps)
 
@@ -145,7 +145,7 @@ def oriented(reading):
 def pydicom_segments(path, choice):
     data = pydicom.dcmread(path)
     if data.SegmentationType == "FRACTIONAL":
-        raise Refused("fractions")
+        raise NotRead("fractions")
     count = int(data.NumberOfFrames)
     pixels = data.pixel_array.reshape(count, data.Rows, data.Columns)
     positions, rows, spacing = placed(data, count)

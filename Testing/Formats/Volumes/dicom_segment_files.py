@@ -102,8 +102,8 @@ def groups(choice, frames, origin, steps):
     if choice["orientation"] == "shared":
         shared.set(0x00209116, "SQ", [orientation])
     for segment, plane, _pixels in frames:
-        place = [number(value, choice["decimals"]) for value in origin + plane * steps[2]]
-        group = item().set(0x00209113, "SQ", [item().set(0x00200032, "DS", place)])
+        point = [number(value, choice["decimals"]) for value in origin + plane * steps[2]]
+        group = item().set(0x00209113, "SQ", [item().set(0x00200032, "DS", point)])
         group.set(0x00209111, "SQ", [item().set(0x00209157, "UL", [segment, plane + 1] if segment else [plane + 1])])
         if segment is not None:
             group.set(0x0062000a, "SQ", [item().set(0x0062000b, "US", segment)])
@@ -158,7 +158,7 @@ def header(choice, numbers, frames, origin, steps):
     data.set(0x00209222, "SQ", pointers)
     data.set(0x00620002, "SQ", segment_items(choice, numbers)).set(0x52009229, "SQ", [shared]).set(0x52009230, "SQ", per_frame)
     if choice["others"] == "private":
-        data.set(0x00090010, "LO", "SOMEBODY").set(0x00091001, "UN", b"\1\2\3\4")
+        data.set(0x00090010, "LO", "EXAMPLE").set(0x00091001, "UN", b"\1\2\3\4")
     return data, bits
 
 
@@ -181,9 +181,9 @@ def color(lab):
 
 
 def write(folder, choice, random):
-    origin, steps = truth.place(choice["axes"])
+    origin, steps = truth.position_of(choice["axes"])
     if choice["axes"] == "four decimals":
-        origin, exact = truth.place("oblique")
+        origin, exact = truth.position_of("oblique")
         steps = np.vstack([steps[:2], exact[2:]])
     sizes, numbers = sizes_of(choice), numbers_of(choice)
     masks = masks_of(choice, random)

@@ -51,10 +51,10 @@ def groups(choice, order, origin, steps):
     if choice["rescale"] == "shared":
         shared.set(0x00289145, "SQ", [transformation(scale_of(choice, 0))])
     for position, k in enumerate(order):
-        place = [number(value, choice["decimals"]) for value in origin + k * steps[2]]
+        point = [number(value, choice["decimals"]) for value in origin + k * steps[2]]
         frame = dicom_bytes.DataSet()
         if not (choice["slices"] == "one without a position" and position == 2):
-            frame.set(0x00209113, "SQ", [dicom_bytes.DataSet().set(0x00200032, "DS", place)])
+            frame.set(0x00209113, "SQ", [dicom_bytes.DataSet().set(0x00200032, "DS", point)])
         content = dicom_bytes.DataSet().set(0x00209157, "UL", [k + 1]).set(0x00209056, "SH", "1").set(0x00209057, "UL", k + 1)
         if choice["dimensions"] != "none":
             frame.set(0x00209111, "SQ", [content])
@@ -81,7 +81,7 @@ def header(choice, order, origin, steps):
         pointer = dicom_bytes.DataSet().set(0x00209165, "AT", [0x00200032]).set(0x00209167, "AT", [0x00209113])
         data.set(0x00209222, "SQ", [pointer])
     if choice["others"] == "private":
-        data.set(0x00090010, "LO", "SOMEBODY").set(0x00091001, "UN", b"\1\2\3\4")
+        data.set(0x00090010, "LO", "EXAMPLE").set(0x00091001, "UN", b"\1\2\3\4")
     shared, per_frame = groups(choice, order, origin, steps)
     return data.set(0x52009229, "SQ", [shared]).set(0x52009230, "SQ", per_frame)
 
@@ -102,9 +102,9 @@ def rejection(choice):
 
 
 def write(folder, choice, random):
-    origin, steps = truth.place(choice["axes"])
+    origin, steps = truth.position_of(choice["axes"])
     if choice["axes"] == "four decimals":
-        origin, exact = truth.place("oblique")
+        origin, exact = truth.position_of("oblique")
         steps = np.vstack([steps[:2], exact[2:]])
     allocated, stored_bits, is_signed = PIXELS[choice["pixels"]]
     low, high = (-(1 << stored_bits - 1), (1 << stored_bits - 1) - 1) if is_signed else (0, (1 << stored_bits) - 1)

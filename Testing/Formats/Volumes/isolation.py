@@ -8,7 +8,7 @@ import select
 import signal
 import struct
 
-from truth import Refused
+from truth import NotRead
 
 LONGEST = 30  # seconds for a file
 
@@ -19,7 +19,7 @@ def _serve(read, files, pipe):
             try:
                 result = read(path, choice)
             except Exception as error:  # of any library
-                result = Refused(f"{type(error).__name__}: {error}"[:200])
+                result = NotRead(f"{type(error).__name__}: {error}"[:200])
             data = pickle.dumps(result)
             output.write(struct.pack("<Q", len(data)) + data)
             output.flush()
@@ -65,10 +65,10 @@ def _read_some(read, files):
 
 
 def read_all(read, files):
-    """@param files (path, choice) of each. @return A Reading or a Refused for each."""
+    """@param files (path, choice) of each. @return A Reading or a NotRead for each."""
     results = []
     while len(results) < len(files):
         results += _read_some(read, files[len(results):])
         if len(results) < len(files):
-            results.append(Refused("it ends the process or does not end"))
+            results.append(NotRead("it ends the process or does not end"))
     return results

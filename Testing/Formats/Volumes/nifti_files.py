@@ -69,9 +69,9 @@ def forms(choice):
         moved = origin + 0.004
     u, _, v = np.linalg.svd(axes)
     rotation = u @ v
-    wanted = -1 if np.linalg.det(rotation) < 0 else 1
+    expected_sign = -1 if np.linalg.det(rotation) < 0 else 1
     sign = choice["first of pixdim"] or 1
-    if sign != wanted:  # the qform says what it says: the sform follows
+    if sign != expected_sign:  # the qform says what it says: the sform follows
         rotation, turned = rotation * [1, 1, -1], turned * [1, 1, -1]
     rotation = rotation * [1, 1, sign]
     return (rotation, origin, sign), (turned, moved)

@@ -65,7 +65,7 @@ def axis_lists(choice):
 
 def geometry_fields(choice, spacing, front, behind):
     """Fields, and origin and steps in the units of the file."""
-    origin, steps = truth.place(choice["axes"], spacing)
+    origin, steps = truth.position_of(choice["axes"], spacing)
     fill = lambda values, none: [none] * len(front) + list(values) + [none] * len(behind)
     sign = np.array(SIGNS[choice["space"]])
     unit = choice["units"]

@@ -12,7 +12,7 @@ import warnings
 import numpy as np
 
 from readers import nibabel, optional
-from truth import Reading, Refused
+from truth import Reading, NotRead
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGE = os.environ.get("BONEDECIMATE_PAGE")
@@ -27,7 +27,7 @@ def wheel_nifti(path, choice):
         warnings.simplefilter("ignore")
         scan = wheel.scan_of(image)
     if np.ndim(scan.labels) != 3 or scan.labels.dtype.names or scan.labels.dtype.kind not in "iuf":
-        raise Refused("no volume of numbers")
+        raise NotRead("no volume of numbers")
     affine = scan.where["affine"]
     return Reading(np.asarray(scan.labels), affine[:3, 3], affine[:3, :3].T)
 
@@ -46,10 +46,10 @@ def page_nifti(path, choice):
     process = _page_process()
     process.stdin.write(f"{path}\n")
     process.stdin.flush()
-    answer = json.loads(process.stdout.readline())
-    if "error" in answer:
-        raise Refused(answer["error"])
-    grid = answer["grid"]
+    result = json.loads(process.stdout.readline())
+    if "error" in result:
+        raise NotRead(result["error"])
+    grid = result["grid"]
     direction = np.array(grid["direction"]).reshape(3, 3)
-    voxels = np.array(answer["labels"]).reshape(grid["dimensions"], order="F")
+    voxels = np.array(result["labels"]).reshape(grid["dimensions"], order="F")
     return Reading(voxels, np.array(grid["origin"]), (direction * grid["spacing"]).T, is_label_map=True)

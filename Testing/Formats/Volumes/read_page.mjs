@@ -8,13 +8,13 @@ import { pathToFileURL } from 'node:url';
 
 const { readLabelMap } = await import(pathToFileURL(process.argv[2]));
 for await (const path of createInterface({ input: process.stdin })) {
-  let answer;
+  let result;
   try {
     const bytes = readFileSync(path);
     const { labels, grid } = readLabelMap(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
-    answer = { labels: Array.from(labels), grid };
+    result = { labels: Array.from(labels), grid };
   } catch (error) {
-    answer = { error: error.message };
+    result = { error: error.message };
   }
-  process.stdout.write(`${JSON.stringify(answer)}\n`);
+  process.stdout.write(`${JSON.stringify(result)}\n`);
 }

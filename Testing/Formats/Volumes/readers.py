@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from truth import Reading, Refused
+from truth import Reading, NotRead
 
 LPS = np.array([-1, -1, 1])
 
@@ -38,9 +38,9 @@ def simpleitk_in_mm(path, choice):
     image = SimpleITK.ReadImage(str(path))
     voxels = SimpleITK.GetArrayFromImage(image)
     if image.GetDimension() == 4 and image.GetSize()[3] == 1:
-        raise Refused("four dimensions")
+        raise NotRead("four dimensions")
     if image.GetDimension() != 3 or image.GetNumberOfComponentsPerPixel() != 1:
-        raise Refused("no volume of one value a voxel")
+        raise NotRead("no volume of one value a voxel")
     direction = np.array(image.GetDirection()).reshape(3, 3)
     steps = (direction * np.array(image.GetSpacing())).T
     return Reading(voxels.transpose(), np.array(image.GetOrigin()), steps)
@@ -50,10 +50,10 @@ def nibabel_image(path, choice):
     image = nibabel.load(str(path))
     shape = image.shape + (1,) * (3 - len(image.shape))
     if np.prod(shape[3:], dtype=int) != 1:
-        raise Refused("several volumes")
+        raise NotRead("several volumes")
     array = np.asanyarray(image.dataobj).reshape(shape[:3], order="F")
     if array.dtype.names or array.dtype.kind not in "iuf":
-        raise Refused("no numbers")
+        raise NotRead("no numbers")
     affine = image.affine
     return Reading(array, affine[:3, 3] * LPS, affine[:3, :3].T * LPS, is_in_units=True)
 
@@ -67,7 +67,7 @@ def pynrrd(path, choice):
     if header["dimension"] != 3:
         kept = [axis for axis, size in enumerate(data.shape) if size != 1]
         if len(kept) != 3:
-            raise Refused("several values a voxel")
+            raise NotRead("several values a voxel")
         data = data.reshape([data.shape[axis] for axis in kept])
     directions = header.get("space directions")
     if directions is not None:
@@ -86,7 +86,7 @@ def array_of(image):
     data = image.GetPointData()
     scalars = data.GetScalars() or (data.GetArray(0) if data.GetNumberOfArrays() == 1 else None)
     if scalars is None or scalars.GetNumberOfComponents() != 1:
-        raise Refused("no array of one value a voxel")
+        raise NotRead("no array of one value a voxel")
     return vtk_to_numpy(scalars).reshape(image.GetDimensions(), order="F").copy()
 
 
@@ -97,10 +97,10 @@ def update(reader, path):
         reader.AddObserver(name, lambda *_: errors.append(1))
     reader.SetFileName(str(path))
     if hasattr(reader, "CanReadFile") and not reader.CanReadFile(str(path)):
-        raise Refused("it cannot read the file")
+        raise NotRead("it cannot read the file")
     reader.Update()
     if errors:
-        raise Refused("it has an error")
+        raise NotRead("it has an error")
     return reader.GetOutput()
 
 

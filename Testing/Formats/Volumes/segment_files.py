@@ -157,7 +157,7 @@ def stored_layers(choice, masks, labels):
 def write(folder, choice, random):
     layers, count = layers_of(choice)
     labels, masks = labels_of(choice), masks_of(choice, random)
-    origin, steps = truth.place(choice["axes"])
+    origin, steps = truth.position_of(choice["axes"])
     sign = np.array(SIGNS[choice["space"]])
     vectors = [f"({','.join(f'{value:.17g}' for value in step * sign)})" for step in steps]
     is_list = count > 1

@@ -5,7 +5,7 @@
 import numpy as np
 
 from readers import LPS, array_of, matrix_of, optional
-from truth import AXES, Reading, Refused, reversed_layers
+from truth import AXES, Reading, NotRead, reversed_layers
 
 slicer_core = optional("slicer_core")
 
@@ -16,7 +16,7 @@ def volume(path, choice):
     storage.SetFileName(str(path))
     storage.SetCenterImage(0)
     if not storage.ReadData(node) or node.GetImageData() is None:
-        raise Refused("it is not read")
+        raise NotRead("it is not read")
     matrix = vtk.vtkMatrix4x4()
     node.GetIJKToRASMatrix(matrix)
     affine = matrix_of(matrix)
@@ -32,7 +32,7 @@ def segmentation(path, choice):
     storage = slicer_core.vtkMRMLSegmentationStorageNode()
     storage.SetFileName(str(path))
     if not storage.ReadData(node):
-        raise Refused("it is not read")
+        raise NotRead("it is not read")
     inner = node.GetSegmentation()
     image = slicer_core.vtkOrientedImageData()
     node.GenerateMergedLabelmapForAllSegments(image, slicer_core.vtkSegmentation.EXTENT_UNION_OF_SEGMENTS)

@@ -32,7 +32,7 @@ SHEARED_LABELS = "its axes are not perpendicular"
 LARGEST_COSINE = 1e-3  # of axes that count as perpendicular
 
 
-class Refused(Exception):
+class NotRead(Exception):
     """A reader does not read a file."""
 
 
@@ -63,7 +63,7 @@ def sentences(*rows):
     return "|".join(sentence for is_so, sentence in rows if is_so)
 
 
-def place(axes, spacing=SPACING, origin=ORIGIN):
+def position_of(axes, spacing=SPACING, origin=ORIGIN):
     """Origin and steps."""
     return np.array(origin, float), (AXES[axes] * spacing).T
 

@@ -138,7 +138,7 @@ def effective(choice):
 
 def write(folder, choice, random):
     choice = effective(choice)
-    origin, steps = truth.place(choice["axes"] if choice["direction"] else "straight")
+    origin, steps = truth.position_of(choice["axes"] if choice["direction"] else "straight")
     origin = origin if choice["origin"] else np.zeros(3)
     voxels = truth.values_of(TYPES[choice["type"]], random)
     arrays = Arrays(choice)
