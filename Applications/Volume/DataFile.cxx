@@ -53,7 +53,8 @@ std::string DataProblem(const ItkHeader& header, const DataFile& data)
   {
     bytes *= static_cast<std::uint64_t>(size);
   }
-  return InflatedSize(data.Path, data.Begin, data.Bytes) == bytes ? problem : DamagedVoxels;
+  return InflatedSize(data.Path, data.Begin, data.Bytes) == bytes + data.Skipped ? problem
+                                                                                 : DamagedVoxels;
 }
 
 std::string FirstOf(std::initializer_list<std::string> problems)

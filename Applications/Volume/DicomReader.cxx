@@ -67,9 +67,10 @@ void ClearPadding(const DicomSlice& slice, float* values, std::size_t count)
   const auto scaled = [&slice](double stored)
   { return static_cast<float>(slice.Slope * stored + slice.Intercept); };
   const float half = 0.5F * static_cast<float>(std::abs(slice.Slope));
-  const auto [first, last] = std::minmax(scaled((*slice.Padding)[0]), scaled((*slice.Padding)[1]));
-  const float from = first - half;
-  const float to = last + half;
+  const float one = scaled((*slice.Padding)[0]);
+  const float other = scaled((*slice.Padding)[1]);
+  const float from = std::min(one, other) - half;
+  const float to = std::max(one, other) + half;
   float least = slice.IsTomography ? Air : std::numeric_limits<float>::max();
   for (std::size_t i = 0; i < count; ++i)
   {

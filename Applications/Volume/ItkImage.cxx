@@ -107,6 +107,7 @@ std::string ItkImage::ReadSize(int dimensions)
   const itk::ImageIOBase& reader = *this->Internal->Reader;
   this->Header.ScalarType = ScalarTypeOf(reader.GetComponentType());
   this->Header.Components = static_cast<int>(reader.GetNumberOfComponents());
+  this->Header.IsText = reader.GetFileType() == itk::IOFileEnum::ASCII;
   this->Header.HasLayers = reader.GetPixelType() == itk::IOPixelEnum::VECTOR;
   if (reader.GetNumberOfDimensions() != static_cast<unsigned int>(dimensions))
   {
@@ -116,10 +117,6 @@ std::string ItkImage::ReadSize(int dimensions)
   if (this->Header.ScalarType == VTK_VOID)
   {
     return "the type of its voxels is not read; save them as numbers of 8, 16, 32 or 64 bits";
-  }
-  if (reader.GetFileType() == itk::IOFileEnum::ASCII)
-  {
-    return "its voxels are text; save them as binary numbers";
   }
   for (unsigned int axis = 0; axis < reader.GetNumberOfDimensions(); ++axis)
   {

@@ -22,6 +22,7 @@ struct ItkHeader
   int ScalarType = VTK_VOID; ///< Of the voxels in memory.
   int Components = 1;        ///< Values a voxel.
   bool HasLayers = false;    ///< The components are a list.
+  bool IsText = false;       ///< The voxels are decimal numbers.
   bool HasGeometry = true;   ///< False: ITK accepts no axes but perpendicular ones of this format.
   VolumeGeometry Geometry;   ///< Of a volume.
   std::string Problem;       ///< Why the file is rejected; empty if it is not.

@@ -166,7 +166,7 @@ LayeredVolume OpenMetaImage(const std::string& path)
   {
     return RejectedLayers("it has no header of a MetaImage");
   }
-  const std::string numbers = FirstOf({ NumbersProblem(text), DimensionsProblem(text) });
+  const std::string numbers = FirstOf({ DimensionsProblem(text), NumbersProblem(text) });
   if (!numbers.empty())
   {
     return RejectedLayers(numbers);
@@ -174,9 +174,11 @@ LayeredVolume OpenMetaImage(const std::string& path)
   ItkImage image(ItkImage::Format::MetaImage, path);
   const ItkHeader& header = image.GetHeader();
   const DataFile data = MetaData(path, text);
-  const HeaderUnit unit = UnitOf(image.GetText("ITK_VoxelUnits"));
+  const HeaderUnit unit =
+    UnitOf(FieldOf(text, "distanceunits")); // MetaIO passes over others than mm, um and cm
   const std::string problem = FirstOf(
-    { header.Problem, UnitProblem(unit), ComponentsProblem(header), DataFileProblem(text, data) });
+    { header.Problem, header.IsText ? "its voxels are text; save them as binary numbers" : "",
+      UnitProblem(unit), ComponentsProblem(header), DataFileProblem(text, data) });
   const std::string dataProblem = problem.empty() ? DataProblem(header, data) : problem;
   if (!dataProblem.empty())
   {

@@ -19,7 +19,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
+#include <vector>
 
 namespace bonedecimate::volume
 {
@@ -64,6 +66,10 @@ public:
     {
       return "its voxels lie in several files; save it as one .nrrd";
     }
+    if (this->State->encoding == nrrdEncodingBzip2)
+    {
+      return "its voxels are packed by bzip2, which is not read; save it with gzip";
+    }
     const auto spaces = { nrrdSpaceUnknown, nrrdSpaceRightAnteriorSuperior,
       nrrdSpaceLeftAnteriorSuperior, nrrdSpaceLeftPosteriorSuperior, nrrdSpaceScannerXYZ,
       nrrdSpace3DRightHanded };
@@ -72,14 +78,25 @@ public:
     return isKnown ? UnitProblem(this->Unit()) : "its space is not RAS, LAS or LPS";
   }
 
-  /// Of the axes of the space; one that is not known if they have several.
+  unsigned int Dimensions() const { return this->Header->dim; }
+
+  /// Of the axes of the space, or of those that have a spacing; one that is not known if they have several.
   HeaderUnit Unit() const
   {
-    HeaderUnit unit;
-    for (unsigned int i = 0; i < this->Header->spaceDim; ++i)
+    std::vector<const char*> texts(
+      this->Header->spaceUnits, this->Header->spaceUnits + this->Header->spaceDim);
+    for (unsigned int i = 0; i < this->Header->dim; ++i)
     {
-      const char* const text = this->Header->spaceUnits[i];
-      const HeaderUnit ofAxis = UnitOf(text ? text : "");
+      const NrrdAxisInfo& axis = this->Header->axis[i];
+      if (!std::isnan(axis.spacing))
+      {
+        texts.push_back(axis.units);
+      }
+    }
+    HeaderUnit unit;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+    {
+      const HeaderUnit ofAxis = UnitOf(texts[i] ? texts[i] : "");
       const bool isSame = i == 0 || ofAxis.Name == unit.Name;
       unit = isSame ? ofAxis : HeaderUnit{ unit.Name + ", " + ofAxis.Name, 0.0 };
     }
@@ -92,8 +109,12 @@ public:
     const std::string name = this->State->dataFNArr->len == 0 ? FilePath(path).filename().string()
                                                               : this->State->dataFN[0];
     const long begin = std::max(std::ftell(this->State->dataFile), 0L);
-    return DataFileBeside(
+    DataFile data = DataFileBeside(
       path, name, static_cast<std::uint64_t>(begin), this->State->encoding->isCompression != 0);
+    // The library has skipped lines, and bytes of voxels that are not compressed.
+    data.Skipped =
+      data.IsCompressed ? static_cast<std::uint64_t>(std::max(this->State->byteSkip, 0L)) : 0;
+    return data;
   }
 
   /// Of voxels behind so many bytes of a header in the same file.
@@ -106,9 +127,7 @@ public:
   /// Whether the voxels are numbers one after the other, where the file's data begin.
   bool IsPlain() const
   {
-    const bool isKnown =
-      this->State->encoding == nrrdEncodingRaw || this->State->encoding == nrrdEncodingGzip;
-    return isKnown && this->State->byteSkip == 0 && this->State->lineSkip == 0;
+    return this->State->encoding == nrrdEncodingRaw || this->State->encoding == nrrdEncodingGzip;
   }
 
   ByteOrder Order() const
@@ -160,6 +179,28 @@ private:
   bool IsLoaded = false;
 };
 
+/// Of voxels as text, in which the library looks for blanks without end.
+std::string TextProblem(const ItkHeader& header, const DataFile& data)
+{
+  constexpr int longest = 64; // of a number
+  const std::string problem = SizeProblem(header.Size, 1, data.Bytes, false);
+  std::ifstream file(data.Path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(data.Begin));
+  const std::string inNumbers = "0123456789+-.eEinfaINFA";
+  const std::string between = " \t\r\n,";
+  int length = 0;
+  for (char c = '\0'; problem.empty() && file.get(c);)
+  {
+    const bool isBetween = between.find(c) != std::string::npos;
+    length = isBetween ? 0 : length + 1;
+    if (length > longest || (!isBetween && inNumbers.find(c) == std::string::npos))
+    {
+      return "its voxels are text by its header, but not all of them are numbers";
+    }
+  }
+  return problem;
+}
+
 /// Of a file of the voxels that the library would open, whatever it is.
 std::string DataFileProblem(const std::string& path, const NrrdText& text)
 {
@@ -208,7 +249,14 @@ LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selectio
   const bool hasLayers = !segments.empty() && header.HasLayers;
   const std::string problem =
     FirstOf({ header.Problem, hasLayers ? std::string() : ComponentsProblem(header) });
-  const std::string dataProblem = problem.empty() ? DataProblem(header, data) : problem;
+  if (!header.Problem.empty() && nrrd.Dimensions() > 3)
+  {
+    return RejectedLayers("it has " + std::to_string(nrrd.Dimensions()) +
+      " dimensions, only volumes of three are read");
+  }
+  const std::string dataProblem = !problem.empty() ? problem
+    : header.IsText                                ? TextProblem(header, data)
+                                                   : DataProblem(header, data);
   if (!dataProblem.empty())
   {
     return RejectedLayers(dataProblem);

@@ -39,8 +39,8 @@ bool TiffErrors::HasError = false;
 struct TiffPages
 {
   std::int64_t Count = 0;
-  bool AreTiled = false;
-  std::string Problem; ///< Why they are no volume; empty if they are.
+  bool AreForLibtiff = false; ///< ITK does not read them right (TiledTiff.h).
+  std::string Problem;        ///< Why they are no volume; empty if they are.
 };
 
 /// Width, height, bits and format of values, and whether it is stored in tiles.
@@ -80,7 +80,8 @@ TiffPages PagesOf(const std::string& path)
     ++pages.Count;
   } while (TIFFReadDirectory(file));
   TIFFClose(file);
-  pages.AreTiled = first.back() != 0;
+  const bool isLarge = first[2] > 32 || (first[2] == 32 && first[3] != SAMPLEFORMAT_IEEEFP);
+  pages.AreForLibtiff = first.back() != 0 || isLarge;
   pages.Problem = TiffErrors::HasError ? "it is truncated or damaged"
     : isEven                           ? ""
                                        : "its pages are not all of one size and type";
@@ -107,8 +108,8 @@ ItkHeader SliceHeader(const std::string& path)
     rejected.Problem = pages.Problem;
     return rejected;
   }
-  ItkHeader header = pages.AreTiled ? TiledTiff(path).GetHeader()
-                                    : ItkImage(ItkImage::Format::Tiff, path, 2).GetHeader();
+  ItkHeader header = pages.AreForLibtiff ? TiledTiff(path).GetHeader()
+                                         : ItkImage(ItkImage::Format::Tiff, path, 2).GetHeader();
   header.Problem = FirstOf({ header.Problem, ComponentsProblem(header) });
   return header;
 }
@@ -134,12 +135,12 @@ std::string ReadSlice(const std::string& path, const ItkHeader& first, void* val
 {
   const TiffPages pages = PagesOf(path);
   return !pages.Problem.empty() ? pages.Problem
-    : pages.AreTiled            ? ReadSliceOf(TiledTiff(path), first, values)
-                     : ReadSliceOf(ItkImage(ItkImage::Format::Tiff, path, 2), first, values);
+    : pages.AreForLibtiff       ? ReadSliceOf(TiledTiff(path), first, values)
+                          : ReadSliceOf(ItkImage(ItkImage::Format::Tiff, path, 2), first, values);
 }
 
 /// All pages, one after the other.
-LayeredVolume OpenTiledPages(const std::string& path, std::int64_t pages, const Vector3& spacing)
+LayeredVolume OpenByLibtiff(const std::string& path, std::int64_t pages, const Vector3& spacing)
 {
   const auto file = std::make_shared<TiledTiff>(path);
   const ItkHeader& header = file->GetHeader();
@@ -167,9 +168,9 @@ LayeredVolume OpenTiff(const std::string& path, const Vector3& spacing)
   {
     return RejectedLayers(pages.Problem);
   }
-  if (pages.AreTiled)
+  if (pages.AreForLibtiff)
   {
-    return OpenTiledPages(path, pages.Count, spacing);
+    return OpenByLibtiff(path, pages.Count, spacing);
   }
   ItkImage image(ItkImage::Format::Tiff, path);
   const ItkHeader& header = image.GetHeader();

@@ -78,16 +78,24 @@ std::string TiledTiff::ReadHeader(const std::string& path)
   {
     return "its voxels are no gray values of 8, 16 or 32 bits with black at 0";
   }
+  const std::uint32_t least = 2;
+  const auto bytes =
+    static_cast<std::uint64_t>(vtkDataArray::GetDataTypeSize(this->Header.ScalarType));
+  if (TIFFIsTiled(this->File) == 0)
+  {
+    return TIFFScanlineSize64(this->File) ==
+        static_cast<std::uint64_t>(this->Header.Size[0]) * bytes
+      ? SizeProblem(
+          { { this->Header.Size[0], this->Header.Size[1], least } }, 1, SizeOfFile(path), true)
+      : "its strips are damaged";
+  }
   // A tile may be larger than its page.
   const auto width = TiffField<std::uint32_t>(this->File, TIFFTAG_TILEWIDTH);
   const auto length = TiffField<std::uint32_t>(this->File, TIFFTAG_TILELENGTH);
-  const int bytes = vtkDataArray::GetDataTypeSize(this->Header.ScalarType);
-  if (TIFFTileSize64(this->File) !=
-    std::uint64_t(width) * length * static_cast<std::uint64_t>(bytes))
+  if (TIFFTileSize64(this->File) != std::uint64_t(width) * length * bytes)
   {
     return "its tiles are three-dimensional or damaged";
   }
-  const std::uint32_t least = 2;
   return SizeProblem(
     { { std::max(width, least), std::max(length, least), least } }, 1, SizeOfFile(path), true);
 }
@@ -98,6 +106,30 @@ bool TiledTiff::ReadVoxels(void* values)
   {
     return false;
   }
+  return TIFFIsTiled(this->File) != 0 ? this->ReadTiles(values) : this->ReadRows(values);
+}
+
+bool TiledTiff::ReadRows(void* values)
+{
+  const auto rows = static_cast<std::uint32_t>(this->Header.Size[1]);
+  const std::size_t bytes = static_cast<std::size_t>(this->Header.Size[0]) *
+    static_cast<std::size_t>(vtkDataArray::GetDataTypeSize(this->Header.ScalarType));
+  if (TIFFScanlineSize64(this->File) != bytes)
+  {
+    return false;
+  }
+  for (std::uint32_t row = 0; row < rows; ++row)
+  {
+    if (TIFFReadScanline(this->File, static_cast<char*>(values) + row * bytes, row, 0) < 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool TiledTiff::ReadTiles(void* values)
+{
   const auto width = TiffField<std::uint32_t>(this->File, TIFFTAG_TILEWIDTH);
   const auto length = TiffField<std::uint32_t>(this->File, TIFFTAG_TILELENGTH);
   const auto columns = static_cast<std::uint32_t>(this->Header.Size[0]);

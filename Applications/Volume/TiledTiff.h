@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TiledTiff.h
- * @brief TIFF pages that are stored in tiles, which ITK makes colors of.
+ * @brief TIFF pages that ITK does not read right: those in tiles, which it makes colors of, and whole numbers of 32 bits, which
+ * it leaves at zero (5.2).
  */
 #ifndef BoneDecimate_Applications_TiledTiff_h
 #define BoneDecimate_Applications_TiledTiff_h
@@ -32,6 +33,8 @@ public:
 
 private:
   std::string ReadHeader(const std::string& path);
+  bool ReadRows(void* values);
+  bool ReadTiles(void* values);
 
   tiff* File;
   ItkHeader Header;

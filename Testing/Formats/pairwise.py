@@ -72,3 +72,12 @@ def variants(choices, count, seed, uniform=()):
             }
         )
     return rows
+
+
+def uniform_variants(choices, count, seed):
+    """At least count rows: all pairs first, then random ones in which every value is as likely as the others."""
+    rows = all_pairs(choices, seed)
+    generator = random.Random(seed + 1)
+    while len(rows) < count:
+        rows.append({name: generator.choice(values) for name, values in choices.items()})
+    return rows

@@ -5,13 +5,19 @@
  * @brief What the readers find in a volume: a description on the standard output, the voxels in a file.
  *
  *     bonedecimate-dump-volume VOLUME VOXELS [X Y Z]     spacing in mm
+ *     bonedecimate-dump-volume < LIST
  *
- * Testing/Volume/formats_test.py compares it with what other programs wrote.
+ * A line of the list is VOLUME VOXELS [X Y Z], with tabs between them; each gets a line of output.
+ *
+ * Testing/Volume/formats_test.py and Testing/Formats/Volumes compare it with what other programs wrote and read.
  */
+#include "LabelVolume.h"
 #include "VolumeFile.h"
+#include "WholeLabels.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 
@@ -19,6 +25,7 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 using namespace bonedecimate;
 
@@ -39,8 +46,42 @@ nlohmann::ordered_json SegmentsOf(vtkFieldData* fields)
   return segments;
 }
 
-nlohmann::ordered_json DescriptionOf(const volume::Volume& read)
+/// As a label map, after the voxels were written: labels are rounded.
+nlohmann::ordered_json LabelsOf(const volume::Volume& read)
 {
+  const volume::VolumeGeometry& geometry = read.Geometry;
+  nlohmann::ordered_json labels;
+  labels["problem"] = LabelGridProblem(geometry, read.Layers);
+  labels["values"] = volume::MakeWholeLabels(read.Image).Problem;
+  if (labels["problem"] == "")
+  {
+    SetLabelGrid(geometry, read.Image);
+    nlohmann::ordered_json steps = nlohmann::ordered_json::array();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double spacing = read.Image->GetSpacing()[axis];
+      vtkMatrix3x3* const direction = read.Image->GetDirectionMatrix();
+      steps.push_back({ direction->GetElement(0, axis) * spacing,
+        direction->GetElement(1, axis) * spacing, direction->GetElement(2, axis) * spacing });
+    }
+    labels["steps"] = steps;
+  }
+  return labels;
+}
+
+void WriteVoxels(vtkImageData* image, const std::string& path)
+{
+  const auto bytes =
+    static_cast<std::streamsize>(image->GetNumberOfPoints()) * image->GetScalarSize();
+  std::ofstream(path, std::ios::binary)
+    .write(static_cast<const char*>(image->GetScalarPointer()), bytes);
+}
+
+/// Writes the voxels, returns the description.
+nlohmann::ordered_json Dump(
+  const std::string& path, const std::string& voxels, const VoxelSpacing& spacing)
+{
+  const volume::Volume read = volume::ReadVolume(path, spacing);
   nlohmann::ordered_json description;
   description["problem"] = read.Problem;
   description["note"] = read.Note;
@@ -51,31 +92,56 @@ nlohmann::ordered_json DescriptionOf(const volume::Volume& read)
     description["type"] = read.Image->GetScalarTypeAsString();
     description["origin"] = read.Geometry.Origin;
     description["steps"] = read.Geometry.Steps;
+    description["layers"] = read.Layers;
     description["segments"] = SegmentsOf(read.Image->GetFieldData());
+    WriteVoxels(read.Image, voxels);
+    description["labels"] = LabelsOf(read);
   }
   return description;
+}
+
+void Print(const nlohmann::ordered_json& description)
+{
+  // Names of any bytes.
+  std::cout << description.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace)
+            << std::endl;
+}
+
+VoxelSpacing SpacingOf(const std::vector<std::string>& words)
+{
+  return words.size() < 5 ? VoxelSpacing()
+                          : VoxelSpacing({ { std::atof(words[2].c_str()),
+                              std::atof(words[3].c_str()), std::atof(words[4].c_str()) } });
+}
+
+void DumpList()
+{
+  std::string line;
+  while (std::getline(std::cin, line))
+  {
+    std::vector<std::string> words;
+    std::istringstream text(line);
+    for (std::string word; std::getline(text, word, '\t');)
+    {
+      words.push_back(word);
+    }
+    Print(Dump(words.at(0), words.at(1), SpacingOf(words)));
+  }
 }
 }
 
 int main(int argc, char** argv)
 {
-  if (argc != 3 && argc != 6)
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty())
+  {
+    DumpList();
+    return EXIT_SUCCESS;
+  }
+  if (words.size() != 2 && words.size() != 5)
   {
     return EXIT_FAILURE;
   }
-  VoxelSpacing spacing;
-  if (argc == 6)
-  {
-    spacing = { { std::atof(argv[3]), std::atof(argv[4]), std::atof(argv[5]) } };
-  }
-  const volume::Volume read = volume::ReadVolume(argv[1], spacing);
-  std::cout << DescriptionOf(read).dump() << "\n";
-  if (read.Image)
-  {
-    const auto bytes =
-      static_cast<std::streamsize>(read.Image->GetNumberOfPoints()) * read.Image->GetScalarSize();
-    std::ofstream(argv[2], std::ios::binary)
-      .write(static_cast<const char*>(read.Image->GetScalarPointer()), bytes);
-  }
+  Print(Dump(words[0], words[1], SpacingOf(words)));
   return EXIT_SUCCESS;
 }

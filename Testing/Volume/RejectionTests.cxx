@@ -217,8 +217,8 @@ TEST_F(VolumeRejects, WhatTheFormatsCanAndWeDoNot)
   this->Expect(
     "b.mhd", MetaHeader(this->Upright) + "ElementDataFile = s%03d.raw 1 9 1\n", "several files");
   this->Expect("c.mhd", MetaHeader(this->Upright) + "ElementDataFile = gone.raw\n", "gone.raw");
-  this->Expect("a.nrrd", this->Nrrd("encoding: raw", "encoding: bzip2"), "damaged");
-  this->Expect("c.nrrd", this->Nrrd("encoding: raw", "encoding: ascii"), "text");
+  this->Expect("a.nrrd", this->Nrrd("encoding: raw", "encoding: bzip2"), "packed by bzip2");
+  this->Expect("c.nrrd", this->Nrrd("encoding: raw", "encoding: ascii"), "are text by its header");
   this->Expect("a.nhdr", this->Nrrd("encoding: raw", "encoding: raw\ndata file: gone.raw"), "");
   this->Expect("b.nrrd", this->Nrrd("type: short", "type: block"), "header is damaged");
 }
