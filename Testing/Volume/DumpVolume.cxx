@@ -51,6 +51,7 @@ nlohmann::ordered_json DescriptionOf(const volume::Volume& read)
     description["type"] = read.Image->GetScalarTypeAsString();
     description["origin"] = read.Geometry.Origin;
     description["steps"] = read.Geometry.Steps;
+    description["layers"] = read.Layers; // in steps; empty: evenly spaced
     description["segments"] = SegmentsOf(read.Image->GetFieldData());
   }
   return description;
