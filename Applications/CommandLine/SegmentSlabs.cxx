@@ -4,6 +4,7 @@
 
 #include "ImageLabels.h"
 #include "IntensityChecks.h"
+#include "LabelFieldOrder.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMapArrays.h"
 #include "LabelVolume.h"
@@ -14,7 +15,10 @@
 #include "VolumeFile.h"
 #include "WholeLabels.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -42,13 +46,24 @@ VoxelGrid GridOf(const VolumeHeader& header)
   corner->SetDimensions(1, 1, 1);
   corner->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   corner->GetPointData()->GetScalars()->Fill(1.0);
-  SetLabelGrid(header.Geometry, corner);
+  SetLabelGrid(header.Geometry, {}, corner);
   const ImageLabels labels =
     ReadImageLabels(corner, corner->GetPointData()->GetScalars(), vtkDataObject::POINT);
   VoxelGrid grid = ExtractLabelSurfaces(labels.Image, {}).Source.Grid;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     grid.Dimensions[axis] = static_cast<Index>(header.Size[axis]);
+  }
+  if (!header.Layers.empty())
+  {
+    const vtkNew<vtkImageData> layers;
+    SetLabelGrid(header.Geometry, header.Layers, layers);
+    grid.Spacing[2] = layers->GetSpacing()[2];
+    vtkDataArray* const positions = layers->GetFieldData()->GetArray(GridLayersName);
+    for (vtkIdType k = 0; k < positions->GetNumberOfTuples(); ++k)
+    {
+      grid.Layers.push_back(positions->GetComponent(k, 0));
+    }
   }
   return grid;
 }
@@ -71,8 +86,7 @@ SegmentSlabs::SegmentSlabs(const Arguments& arguments)
   this->BytesInALayer = header.BytesInALayer();
   this->ReadsWhole = header.IsReadWhole;
   this->Note = header.Note;
-  this->Problem =
-    header.Problem.empty() ? LabelGridProblem(header.Geometry, header.Layers) : header.Problem;
+  this->Problem = header.Problem;
   if (this->Problem.empty())
   {
     this->Map.Grid = GridOf(header);
@@ -155,7 +169,7 @@ double SegmentSlabs::GetVoxelSize() const
 /// Surfaces are closed half a voxel outside of the outermost centers.
 SlabAxis SegmentSlabs::GetAxis() const
 {
-  const Vector3 axis = this->Map.Grid.Direction.col(2);
+  const Vector3 axis = this->Map.Grid.LayerNormal();
   return { axis, Dot(axis, this->Map.Grid.ToMillimeters({ 0.0, 0.0, -1.0 })) };
 }
 

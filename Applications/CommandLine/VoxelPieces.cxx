@@ -11,6 +11,7 @@
 
 #include "vtkBoneLabelPieces.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -24,15 +25,11 @@ namespace bonedecimate
 {
 namespace
 {
-double VoxelVolume(const double spacing[3])
-{
-  return spacing[0] * spacing[1] * spacing[2];
-}
-
-ChangedPieces PiecesOf(vtkBoneLabelPieces* filter, std::int64_t label, double voxelVolume)
+ChangedPieces PiecesOf(vtkBoneLabelPieces* filter, std::int64_t label)
 {
   return { filter->GetNumberOfIslands(label), filter->GetNumberOfIslandVoxels(label),
-    filter->GetNumberOfCavities(label), filter->GetNumberOfCavityVoxels(label), voxelVolume };
+    filter->GetVolumeOfIslands(label), filter->GetNumberOfCavities(label),
+    filter->GetNumberOfCavityVoxels(label), filter->GetVolumeOfCavities(label) };
 }
 
 template <typename Scalar>
@@ -61,7 +58,7 @@ void RaiseTo(double gray, vtkDataArray* mask, Scalar* values)
   }
 }
 
-vtkSmartPointer<vtkImageData> MaskFrom(vtkImageData* image, const double spacing[3], double gray)
+vtkSmartPointer<vtkImageData> MaskFrom(vtkImageData* image, vtkImageData* grid, double gray)
 {
   vtkDataArray* const values = image->GetPointData()->GetScalars();
   vtkNew<vtkUnsignedCharArray> mask;
@@ -74,17 +71,17 @@ vtkSmartPointer<vtkImageData> MaskFrom(vtkImageData* image, const double spacing
       break;
   }
   const auto bone = vtkSmartPointer<vtkImageData>::New();
-  bone->SetDimensions(image->GetDimensions());
-  bone->SetSpacing(spacing);
+  bone->CopyStructure(grid);
+  bone->GetFieldData()->ShallowCopy(grid->GetFieldData());
   bone->GetPointData()->SetScalars(mask);
   return bone;
 }
 
 ChangedPieces FillCavities(
-  vtkImageData* image, const double spacing[3], double gray, double largestVolume)
+  vtkImageData* image, vtkImageData* grid, double gray, double largestVolume)
 {
   vtkNew<vtkBoneLabelPieces> pieces;
-  pieces->SetInputData(MaskFrom(image, spacing, gray));
+  pieces->SetInputData(MaskFrom(image, grid, gray));
   pieces->SetCavityVolume(largestVolume);
   UpdateFilter(pieces, Progress::Hidden);
   vtkDataArray* const mask = pieces->GetOutput()->GetPointData()->GetScalars();
@@ -95,15 +92,15 @@ ChangedPieces FillCavities(
     default:
       break;
   }
-  return PiecesOf(pieces, 1, VoxelVolume(spacing));
+  return PiecesOf(pieces, 1);
 }
 
-std::string CountText(std::int64_t pieces, const char* one, const char* several,
-  std::int64_t voxels, double voxelVolume)
+std::string CountText(
+  std::int64_t pieces, const char* one, const char* several, std::int64_t voxels, double volume)
 {
   return GroupedText(static_cast<double>(pieces)) + " " + (pieces == 1 ? one : several) + " of " +
     GroupedText(static_cast<double>(voxels)) + (voxels == 1 ? " voxel (" : " voxels (") +
-    SizeText(static_cast<double>(voxels) * voxelVolume) + " mm3)";
+    SizeText(volume) + " mm3)";
 }
 }
 
@@ -141,7 +138,7 @@ vtkSmartPointer<vtkImageData> ChangePieces(vtkImageData* map, const std::vector<
   AcceptMessages(UpdateFilter(pieces, Progress::Hidden), arguments.Inputs[0], warnings);
   for (const NamedLabel& label : labels)
   {
-    changed[label.Value] = PiecesOf(pieces, label.Value, VoxelVolume(map->GetSpacing()));
+    changed[label.Value] = PiecesOf(pieces, label.Value);
     if (pieces->IsLargestPieceTooSmall(label.Value))
     {
       warnings.push_back("the largest piece of segment " + LabelText(label) +
@@ -158,7 +155,7 @@ VoxelChange CavityFilling(const Arguments& arguments, PiecesOfLabels& changed)
     return {};
   }
   return [gray = *arguments.Iso, volume = arguments.FillVolume, &changed](vtkImageData* image,
-           const double spacing[3]) { changed[1] = FillCavities(image, spacing, gray, volume); };
+           vtkImageData* grid) { changed[1] = FillCavities(image, grid, gray, volume); };
 }
 
 std::string ChangesText(const ChangedPieces& changed)
@@ -167,13 +164,14 @@ std::string ChangesText(const ChangedPieces& changed)
   if (changed.Islands > 0)
   {
     text =
-      CountText(changed.Islands, "island", "islands", changed.IslandVoxels, changed.VoxelVolume) +
+      CountText(changed.Islands, "island", "islands", changed.IslandVoxels, changed.IslandVolume) +
       " removed";
   }
   if (changed.Cavities > 0)
   {
     text += (text.empty() ? "" : ", ") +
-      CountText(changed.Cavities, "cavity", "cavities", changed.CavityVoxels, changed.VoxelVolume) +
+      CountText(
+        changed.Cavities, "cavity", "cavities", changed.CavityVoxels, changed.CavityVolume) +
       " filled";
   }
   return text;
@@ -193,12 +191,12 @@ std::vector<std::string> ChangesTexts(const PiecesOfLabels& changed, bool areLab
 
 nlohmann::ordered_json JsonOfPieces(const ChangedPieces& changed)
 {
-  const auto piece = [&changed](std::int64_t count, std::int64_t voxels) -> nlohmann::ordered_json
-  {
-    return { { "count", count }, { "voxels", voxels },
-      { "volume", static_cast<double>(voxels) * changed.VoxelVolume } };
+  const auto piece = [](std::int64_t count, std::int64_t voxels,
+                       double volume) -> nlohmann::ordered_json {
+    return { { "count", count }, { "voxels", voxels }, { "volume", volume } };
   };
-  return { { "islands_removed", piece(changed.Islands, changed.IslandVoxels) },
-    { "cavities_filled", piece(changed.Cavities, changed.CavityVoxels) } };
+  return { { "islands_removed",
+             piece(changed.Islands, changed.IslandVoxels, changed.IslandVolume) },
+    { "cavities_filled", piece(changed.Cavities, changed.CavityVoxels, changed.CavityVolume) } };
 }
 }

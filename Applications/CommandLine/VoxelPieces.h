@@ -29,9 +29,10 @@ struct ChangedPieces
 {
   std::int64_t Islands = 0;
   std::int64_t IslandVoxels = 0;
+  double IslandVolume = 0.0; ///< mm3
   std::int64_t Cavities = 0;
   std::int64_t CavityVoxels = 0;
-  double VoxelVolume = 0.0; ///< mm3
+  double CavityVolume = 0.0; ///< mm3
 };
 
 /// By label; of a gray value by 1.

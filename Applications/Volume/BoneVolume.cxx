@@ -5,10 +5,12 @@
 #include "DataFile.h"
 #include "FieldOfView.h"
 #include "IntensityChecks.h"
+#include "LabelVolume.h"
 #include "OutwardContour.h"
 #include "VolumeFile.h"
 
 #include "vtkFieldData.h"
+#include "vtkNew.h"
 
 #include <cmath>
 
@@ -28,9 +30,7 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
   const Volume volume = ReadVolume(path, spacing);
   bone.Note = volume.Note;
   bone.Remark = volume.Remark;
-  bone.Problem = volume.Problem.empty() && change && !volume.Layers.empty()
-    ? "its slices are not evenly spaced, which --fill-volume needs"
-    : volume.Problem;
+  bone.Problem = volume.Problem;
   if (bone.Problem.empty())
   {
     FieldOfView view(hounsfield);
@@ -50,9 +50,10 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
     volume.Image->GetFieldData()->Initialize(); // names of labels are none of the surface's
     if (change)
     {
-      const auto& steps = volume.Geometry.Steps;
-      const double sides[3] = { Length(steps[0]), Length(steps[1]), Length(steps[2]) };
-      change(volume.Image, sides);
+      const vtkNew<vtkImageData> grid;
+      grid->SetDimensions(volume.Image->GetDimensions());
+      SetLabelGrid(volume.Geometry, volume.Layers, grid);
+      change(volume.Image, grid);
     }
     bone.Surface = OutwardContour(volume, hounsfield);
     bone.VoxelSize =

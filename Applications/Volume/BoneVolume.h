@@ -68,8 +68,9 @@ enum class LabelPolicy
   AsIntensities ///< As those of any other volume.
 };
 
-/// What is done with the values of a volume before its surface is extracted. @param spacing mm, along its three axes.
-using VoxelChange = std::function<void(vtkImageData* image, const double spacing[3])>;
+/// What is done with the values of a volume before its surface is extracted. @param grid Without voxels: where they are, as SetLabelGrid()
+/// says it.
+using VoxelChange = std::function<void(vtkImageData* image, vtkImageData* grid)>;
 
 /**
  * The surface at the given Hounsfield value by flying edges over the whole volume, normals

@@ -158,6 +158,10 @@ std::string NoteOf(const SegmentationHeader& header, const Overlap& overlap)
       std::to_string(header.Grid.PlanesWithoutFrames) + " of its " +
       std::to_string(header.Grid.Planes) + " planes have no frame and are background";
   }
+  if (!header.Grid.Note.empty())
+  {
+    note += (note.empty() ? "" : "; ") + header.Grid.Note;
+  }
   return note;
 }
 
@@ -178,6 +182,7 @@ LayeredVolume LabelsOf(const SegmentationHeader& header, std::vector<unsigned ch
   volume.Header.Size = { { header.Size[0], header.Size[1], header.Grid.Planes } };
   volume.Header.ScalarType = VTK_UNSIGNED_SHORT;
   volume.Header.Geometry = header.Grid.Geometry;
+  volume.Header.Layers = header.Grid.Layers;
   volume.Header.IsReadWhole = true;
   volume.Header.Note = NoteOf(header, overlap);
   AddLabelFields(header.Segments, volume.Header.Fields);

@@ -3,12 +3,11 @@
 #include "DicomSeries.h"
 
 #include "FilePath.h"
+#include "SpacingRuns.h"
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace bonedecimate::volume
@@ -82,15 +81,6 @@ std::string NameOf(const DicomSlice& slice)
     (slice.FramesInFile > 1 ? ", frame " + std::to_string(slice.Frame + 1) : std::string());
 }
 
-std::string LengthText(double millimeters)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(4);
-  text << millimeters << " mm";
-  return text.str();
-}
-
 /// From each slice to the next one, along the line from the first to the last, mm.
 std::vector<double> DistancesOf(const Slices& slices, const Vector3& direction)
 {
@@ -148,50 +138,11 @@ bool AreEven(const Slices& slices, const VolumeGeometry& geometry)
   return true;
 }
 
-bool IsOther(double distance, double usual)
-{
-  return std::abs(distance - usual) > 0.2 * std::min(distance, usual);
-}
-
-/// Distances that are equal one after the other.
-struct SpacingRun
-{
-  std::size_t First = 0; ///< Slice.
-  std::size_t Count = 0;
-  double Distance = 0.0; ///< Mean, mm.
-};
-
-std::vector<SpacingRun> RunsOf(const std::vector<double>& distances)
-{
-  std::vector<SpacingRun> runs;
-  for (std::size_t k = 0; k < distances.size(); ++k)
-  {
-    if (runs.empty() || IsOther(distances[k], runs.back().Distance))
-    {
-      runs.push_back({ k, 0, 0.0 });
-    }
-    SpacingRun& run = runs.back();
-    run.Distance += (distances[k] - run.Distance) / static_cast<double>(run.Count + 1);
-    ++run.Count;
-  }
-  return runs;
-}
-
-/// Where a head is scanned finely below and coarsely above: a slice that is missing is a distance by itself.
-bool AreOnPurpose(const std::vector<SpacingRun>& runs)
-{
-  constexpr std::size_t fewest = 3;
-  constexpr std::size_t most = 6;
-  return runs.size() <= most &&
-    std::all_of(
-      runs.begin(), runs.end(), [](const SpacingRun& run) { return run.Count >= fewest; });
-}
-
 /// Names the slices on both sides of the first distance that differs from the usual one.
 std::string GapProblem(const Slices& slices, const std::vector<double>& distances)
 {
   const double usual = MedianOf(distances);
-  const auto isOther = [usual](double distance) { return IsOther(distance, usual); };
+  const auto isOther = [usual](double distance) { return IsOtherDistance(distance, usual); };
   const auto other = std::find_if(distances.begin(), distances.end(), isOther);
   if (other == distances.end())
   {

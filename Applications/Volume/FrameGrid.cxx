@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameGrid.h"
 
+#include "SpacingRuns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,7 +16,7 @@ namespace
 constexpr double LargestShift = 0.2;
 
 /// Frames closer than this part of a pixel lie in one plane.
-constexpr double LeastDistance = 0.01;
+constexpr double LeastGap = 0.01;
 
 /// Of the distance of planes in the header: what the frames may have more or less, in parts of it.
 constexpr double LargestChange = 0.02;
@@ -78,7 +80,7 @@ public:
     : Frames(frames)
     , Normal(normal)
     , Order(frames.size())
-    , Least(LeastDistance * PixelSide(frames.front()))
+    , Least(LeastGap * PixelSide(frames.front()))
   {
     std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
     std::stable_sort(this->Order.begin(), this->Order.end(),
@@ -102,26 +104,52 @@ public:
   /// Planes, the step between them and the origin.
   void AssignPlanes(double distance, FrameGrid& grid) const
   {
-    grid.PlaneOf.assign(this->Order.size(), 0);
-    double plane = 0.0;
-    for (std::size_t i = 1; i < this->Order.size(); ++i)
+    std::vector<double> parts;
+    for (const double gap : this->GapsInOrder())
     {
-      // From a plane to the next, so that rounding does not add up.
-      const double gap = this->Gap(i);
-      plane += gap > this->Least ? std::max(1.0, std::round(gap / distance)) : 0.0;
-      if (!(plane < MostPlanes(static_cast<double>(this->Gaps.size()))))
-      {
-        grid.Problem = "the distance of its planes is too small for its frames";
-        return;
-      }
-      grid.PlaneOf[this->Order[i]] = static_cast<std::int64_t>(plane);
+      parts.push_back(std::max(1.0, std::round(gap / distance)));
     }
-    grid.Planes = static_cast<std::int64_t>(plane) + 1;
-    grid.PlanesWithoutFrames = grid.Planes - 1 - static_cast<std::int64_t>(this->Gaps.size());
-    const double height = this->Height(this->Order.back()) - this->Height(this->Order.front());
-    grid.Geometry.Origin = this->Frames[this->Order.front()].Position;
-    grid.Geometry.Steps[2] = Scaled(this->Normal, plane > 0.0 ? height / plane : distance);
-    grid.Problem = this->EvennessProblem(grid);
+    this->NumberPlanes(parts, distance, grid);
+    grid.Layers.clear();
+    grid.Note.clear();
+    if (grid.Problem.empty())
+    {
+      this->TakeDirection(grid);
+    }
+  }
+
+  /// Planes that are where frames are.
+  /// @return Whether their distances change on purpose.
+  bool AssignUnevenPlanes(FrameGrid& grid) const
+  {
+    const std::vector<double> gaps = this->GapsInOrder();
+    const std::vector<double> parts = PartsOf(gaps);
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+    {
+      distances.insert(distances.end(), static_cast<std::size_t>(parts[i]), gaps[i] / parts[i]);
+    }
+    const std::vector<SpacingRun> runs = RunsOf(distances);
+    if (runs.size() < 2 || !AreOnPurpose(runs))
+    {
+      return false;
+    }
+    FrameGrid uneven = grid;
+    this->NumberPlanes(parts, 0.0, uneven);
+    const double mean = Length(uneven.Geometry.Steps[2]);
+    uneven.Layers = { 0.0 };
+    for (const double distance : distances)
+    {
+      uneven.Layers.push_back(uneven.Layers.back() + distance / mean);
+    }
+    uneven.Note = RunsNote(runs);
+    if (uneven.Problem.empty())
+    {
+      this->TakeDirection(uneven);
+    }
+    const bool isUneven = uneven.Problem.empty();
+    grid = isUneven ? uneven : grid;
+    return isUneven;
   }
 
 private:
@@ -132,14 +160,104 @@ private:
     return this->Height(this->Order[i]) - this->Height(this->Order[i - 1]);
   }
 
-  std::string EvennessProblem(const FrameGrid& grid) const
+  /// Between neighboring planes with frames.
+  std::vector<double> GapsInOrder() const
+  {
+    std::vector<double> gaps;
+    for (std::size_t i = 1; i < this->Order.size(); ++i)
+    {
+      if (this->Gap(i) > this->Least)
+      {
+        gaps.push_back(this->Gap(i));
+      }
+    }
+    return gaps;
+  }
+
+  /// Into how many distances each gap is divided: more than one where planes without frames lie between equal distances.
+  static std::vector<double> PartsOf(const std::vector<double>& gaps)
+  {
+    std::vector<double> parts(gaps.size(), 1.0);
+    const std::vector<SpacingRun> runs = RunsOf(gaps);
+    for (std::size_t i = 1; i + 1 < runs.size(); ++i)
+    {
+      const double usual = runs[i - 1].Distance;
+      const double whole = std::round(runs[i].Distance / usual);
+      const bool isGap = !IsOtherDistance(runs[i + 1].Distance, usual) && whole > 1.0 &&
+        whole < MostPlanes(static_cast<double>(gaps.size())) &&
+        !IsOtherDistance(runs[i].Distance / whole, usual) &&
+        runs[i].Count < runs[i - 1].Count + runs[i + 1].Count;
+      for (std::size_t k = 0; isGap && k < runs[i].Count; ++k)
+      {
+        parts[runs[i].First + k] = whole;
+      }
+    }
+    return parts;
+  }
+
+  static std::string RunsNote(const std::vector<SpacingRun>& runs)
+  {
+    std::string note = "its planes are " + LengthText(runs.front().Distance) + " apart";
+    for (std::size_t i = 1; i < runs.size(); ++i)
+    {
+      note += (i > 1 ? ", " : " and ") + LengthText(runs[i].Distance) + " from plane " +
+        std::to_string(runs[i].First + 1) + " on";
+    }
+    return note + "; they are read where they are";
+  }
+
+  /// @param parts Of each gap: planes from one plane with frames to the next.
+  /// @param distance If there is one plane alone.
+  void NumberPlanes(const std::vector<double>& parts, double distance, FrameGrid& grid) const
+  {
+    grid.Problem.clear();
+    grid.PlaneOf.assign(this->Order.size(), 0);
+    double plane = 0.0;
+    std::size_t gap = 0;
+    for (std::size_t i = 1; i < this->Order.size(); ++i)
+    {
+      // From a plane to the next, so that rounding does not add up.
+      plane += this->Gap(i) > this->Least ? parts[gap++] : 0.0;
+      if (!(plane < MostPlanes(static_cast<double>(parts.size()))))
+      {
+        grid.Problem = "the distance of its planes is too small for its frames";
+        return;
+      }
+      grid.PlaneOf[this->Order[i]] = static_cast<std::int64_t>(plane);
+    }
+    grid.Planes = static_cast<std::int64_t>(plane) + 1;
+    grid.PlanesWithoutFrames = grid.Planes - 1 - static_cast<std::int64_t>(parts.size());
+    const double height = this->Height(this->Order.back()) - this->Height(this->Order.front());
+    grid.Geometry.Origin = this->Frames[this->Order.front()].Position;
+    grid.Geometry.Steps[2] = Scaled(this->Normal, plane > 0.0 ? height / plane : distance);
+  }
+
+  /// Planes lie above each other, or, of a tilted gantry, in line from the first to the last one.
+  void TakeDirection(FrameGrid& grid) const
+  {
+    grid.Problem = this->LineProblem(grid);
+    if (!grid.Problem.empty() && grid.Planes > 1)
+    {
+      FrameGrid sheared = grid;
+      const Vector3 way = Difference(
+        this->Frames[this->Order.back()].Position, this->Frames[this->Order.front()].Position);
+      sheared.Geometry.Steps[2] = Scaled(way, 1.0 / static_cast<double>(grid.Planes - 1));
+      sheared.Problem = this->LineProblem(sheared);
+      grid = sheared.Problem.empty() ? sheared : grid;
+    }
+  }
+
+  std::string LineProblem(const FrameGrid& grid) const
   {
     const Vector3& step = grid.Geometry.Steps[2];
-    const double largest = LargestShift * std::min(PixelSide(this->Frames.front()), Length(step));
+    const double largest = LargestShift *
+      std::min(PixelSide(this->Frames.front()), Length(step) * LeastDistance(grid.Layers));
     for (std::size_t i = 0; i < this->Frames.size(); ++i)
     {
-      const Vector3 expected =
-        Sum(grid.Geometry.Origin, Scaled(step, static_cast<double>(grid.PlaneOf[i])));
+      const double layer = grid.Layers.empty()
+        ? static_cast<double>(grid.PlaneOf[i])
+        : grid.Layers[static_cast<std::size_t>(grid.PlaneOf[i])];
+      const Vector3 expected = Sum(grid.Geometry.Origin, Scaled(step, layer));
       if (!(Length(Difference(this->Frames[i].Position, expected)) <= largest))
       {
         return "its planes are not evenly spaced or not above each other: frame " +
@@ -174,16 +292,17 @@ FrameGrid GridOfFrames(const std::vector<FramePlacement>& frames, double planeDi
   const Vector3 alongColumn = Scaled(turned, 1.0 / Length(turned));
   grid.Geometry.Steps[0] = Scaled(alongRow, first.ColumnDistance);
   grid.Geometry.Steps[1] = Scaled(alongColumn, first.RowDistance);
-  const Stack stack(frames, Cross(alongRow, alongColumn));
+  const Vector3 normal = Cross(alongRow, alongColumn);
+  const Stack stack(frames, normal);
   const double median = stack.MedianDistance();
   const bool isKnown = std::isfinite(planeDistance) && planeDistance > 0.0;
   if (isKnown)
   {
     stack.AssignPlanes(planeDistance, grid);
   }
-  const double change = std::abs(Length(grid.Geometry.Steps[2]) - planeDistance);
+  const double change = std::abs(Dot(grid.Geometry.Steps[2], normal) - planeDistance);
   const bool fits = isKnown && grid.Problem.empty() && change <= LargestChange * planeDistance;
-  if (!fits)
+  if (!fits && !stack.AssignUnevenPlanes(grid))
   {
     stack.AssignPlanes(median > 0.0 ? median : PixelSide(first), grid);
   }

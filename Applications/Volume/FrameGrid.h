@@ -28,10 +28,12 @@ struct FramePlacement
 
 struct FrameGrid
 {
-  VolumeGeometry Geometry;           ///< Perpendicular and right-handed.
-  std::int64_t Planes = 0;           ///< Also those without a frame.
+  VolumeGeometry Geometry; ///< Right-handed, and perpendicular unless the gantry was tilted.
+  LayerPositions Layers;   ///< If the distance of planes changes on purpose.
+  std::int64_t Planes = 0; ///< Also those without a frame.
   std::vector<std::int64_t> PlaneOf; ///< Of each frame.
   std::int64_t PlanesWithoutFrames = 0;
+  std::string Note;    ///< Of distances that change; empty if they do not.
   std::string Problem; ///< Why there is no grid; empty if there is one.
 };
 
@@ -39,8 +41,8 @@ struct FrameGrid
  * Several frames may lie in a plane, and planes may have none. What rounding of the header shifts by less than a fifth of a voxel is put
  * onto the grid.
  * @param frames At least one.
- * @param planeDistance What the header says of it, mm. If that is 0 or more than 2 % off, it is the median of
- * their distances.
+ * @param planeDistance What the header says of it, mm. If that is 0 or more than 2 % off, planes are where frames are if their
+ * distances change on purpose (SpacingRuns.h), or else the median of their distances apart.
  * @param size Columns and rows.
  */
 FrameGrid GridOfFrames(const std::vector<FramePlacement>& frames, double planeDistance,

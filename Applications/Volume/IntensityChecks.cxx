@@ -67,11 +67,6 @@ void AppendNote(std::string& notes, const std::string& note)
 double LeastSide(const VolumeGeometry& geometry, const LayerPositions& layers)
 {
   const auto& steps = geometry.Steps;
-  double least = layers.empty() ? 1.0 : std::numeric_limits<double>::max();
-  for (std::size_t k = 1; k < layers.size(); ++k)
-  {
-    least = std::min(least, layers[k] - layers[k - 1]);
-  }
-  return std::min({ Length(steps[0]), Length(steps[1]), least * Length(steps[2]) });
+  return std::min({ Length(steps[0]), Length(steps[1]), LeastDistance(layers) * Length(steps[2]) });
 }
 }

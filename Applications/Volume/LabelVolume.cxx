@@ -6,7 +6,10 @@
 #include "VolumeFile.h"
 #include "WholeLabels.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,10 +40,11 @@ double LargestCosineOf(const VolumeGeometry& geometry)
   return largest;
 }
 
-/// With the nearest perpendicular axes; itself if they are perpendicular but for the rounding of doubles.
+/// With the nearest perpendicular axes; itself if they are perpendicular but for the rounding of doubles, or sheared.
 VolumeGeometry Perpendicular(const VolumeGeometry& geometry)
 {
-  if (LargestCosineOf(geometry) <= CosineOfRounding)
+  const double cosine = LargestCosineOf(geometry);
+  if (cosine <= CosineOfRounding || cosine > LargestCosine)
   {
     return geometry;
   }
@@ -60,18 +64,6 @@ VolumeGeometry Perpendicular(const VolumeGeometry& geometry)
   }
   return perpendicular;
 }
-}
-
-std::string LabelGridProblem(const VolumeGeometry& geometry, const LayerPositions& layers)
-{
-  if (!layers.empty())
-  {
-    return "its slices are not evenly spaced, which those of a label map have to be";
-  }
-  return LargestCosineOf(geometry) <= LargestCosine
-    ? ""
-    : "its axes are not perpendicular, which a label map's have to be: resample it to a grid with "
-      "perpendicular axes";
 }
 
 std::string LabelGridNote(const VolumeGeometry& geometry, const std::array<std::int64_t, 3>& size)
@@ -96,7 +88,7 @@ std::string LabelGridNote(const VolumeGeometry& geometry, const std::array<std::
   return text.str();
 }
 
-void SetLabelGrid(const VolumeGeometry& given, vtkImageData* image)
+void SetLabelGrid(const VolumeGeometry& given, const LayerPositions& layers, vtkImageData* image)
 {
   const VolumeGeometry geometry = Perpendicular(given);
   double spacing[3];
@@ -108,6 +100,17 @@ void SetLabelGrid(const VolumeGeometry& given, vtkImageData* image)
     {
       direction[3 * row + axis] = geometry.Steps[axis][row] / spacing[axis];
     }
+  }
+  if (!layers.empty())
+  {
+    vtkNew<vtkDoubleArray> positions;
+    positions->SetName("VoxelGridLayers");
+    for (const double layer : layers)
+    {
+      positions->InsertNextValue((layer - layers.front()) * spacing[2]);
+    }
+    image->GetFieldData()->AddArray(positions);
+    spacing[2] *= LeastDistance(layers);
   }
   image->SetOrigin(geometry.Origin.data());
   image->SetSpacing(spacing);
@@ -123,10 +126,6 @@ LabelVolume ReadLabelVolume(
   labels.Problem = volume.Problem;
   if (labels.Problem.empty())
   {
-    labels.Problem = LabelGridProblem(volume.Geometry, volume.Layers);
-  }
-  if (labels.Problem.empty())
-  {
     const WholeLabels whole = MakeWholeLabels(volume.Image);
     labels.Problem = whole.Problem;
     AppendNote(labels.Note, whole.Note);
@@ -136,7 +135,7 @@ LabelVolume ReadLabelVolume(
     labels.Image = volume.Image;
     const int* const size = volume.Image->GetDimensions();
     AppendNote(labels.Note, LabelGridNote(volume.Geometry, { { size[0], size[1], size[2] } }));
-    SetLabelGrid(volume.Geometry, labels.Image);
+    SetLabelGrid(volume.Geometry, volume.Layers, labels.Image);
   }
   return labels;
 }

@@ -30,18 +30,16 @@ struct LabelVolume
   std::string Note;    ///< What of the input was left aside, for the user; may be empty.
 };
 
-/// Why voxels with this geometry are no label map; empty if they may be one.
-std::string LabelGridProblem(
-  const volume::VolumeGeometry& geometry, const volume::LayerPositions& layers = {});
-
 /// How far voxels move where axes are perpendicular only but for rounding; empty if they do not move.
 std::string LabelGridNote(
   const volume::VolumeGeometry& geometry, const std::array<std::int64_t, 3>& size);
 
-/// Sets origin, spacing and direction: the nearest perpendicular one.
-void SetLabelGrid(const volume::VolumeGeometry& geometry, vtkImageData* image);
+/// Sets origin, spacing and direction: the nearest perpendicular one, or that of a sheared grid.
+/// @param layers If their distance changes: they become the field array VoxelGridLayers, as vtkBoneSurfaces takes it.
+void SetLabelGrid(const volume::VolumeGeometry& geometry, const volume::LayerPositions& layers,
+  vtkImageData* image);
 
-/// Reads every format that ExtractBoneSurface() reads. A volume whose axes are not perpendicular is rejected.
+/// Reads every format that ExtractBoneSurface() reads.
 LabelVolume ReadLabelVolume(const std::string& path, const VoxelSpacing& spacing = {},
   const SegmentSelection& selection = {});
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volume.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -59,6 +60,16 @@ double Length(const Vector3& a)
 bool AreClose(const Vector3& a, const Vector3& b)
 {
   return Length(Difference(a, b)) < 1e-3;
+}
+
+double LeastDistance(const LayerPositions& layers)
+{
+  double least = layers.empty() ? 1.0 : std::numeric_limits<double>::max();
+  for (std::size_t k = 1; k < layers.size(); ++k)
+  {
+    least = std::min(least, layers[k] - layers[k - 1]);
+  }
+  return least;
 }
 
 double Determinant(const VolumeGeometry& geometry)

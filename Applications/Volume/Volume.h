@@ -54,6 +54,9 @@ double Length(const Vector3& a);
 /// Of directions: to a thousandth, which headers round to.
 bool AreClose(const Vector3& a, const Vector3& b);
 
+/// Of two layers, in steps.
+double LeastDistance(const LayerPositions& layers);
+
 /// Negative if the steps mirror the volume.
 double Determinant(const VolumeGeometry& geometry);
 

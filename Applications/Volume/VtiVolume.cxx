@@ -7,6 +7,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -14,6 +15,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkXMLImageDataReader.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -89,6 +92,31 @@ VolumeGeometry Geometry(vtkImageData* image)
   }
   return geometry;
 }
+
+/// Positions of layers as vtkBoneSurfaces takes them, in mm from the first one; empty without.
+LayerPositions ReadLayers(vtkImageData* image, const VolumeGeometry& geometry)
+{
+  vtkDataArray* const positions = image->GetFieldData()->GetArray("VoxelGridLayers");
+  LayerPositions layers;
+  for (vtkIdType k = 0; positions && k < positions->GetNumberOfTuples(); ++k)
+  {
+    layers.push_back(positions->GetComponent(k, 0) / Length(geometry.Steps[2]));
+  }
+  return layers;
+}
+
+std::string LayersProblem(const LayerPositions& layers, vtkImageData* image)
+{
+  const bool areThere =
+    layers.empty() || layers.size() == static_cast<std::size_t>(image->GetDimensions()[2]);
+  const bool areAscending = layers.empty() ||
+    (layers.front() == 0.0 && std::isfinite(layers.back()) &&
+      std::adjacent_find(
+        layers.begin(), layers.end(), [](double a, double b) { return !(b > a); }) == layers.end());
+  return areThere && areAscending
+    ? std::string()
+    : "its array VoxelGridLayers has no position for each of its layers that ascends from 0";
+}
 }
 
 bool VtiHasSpacing(const std::string& path)
@@ -134,7 +162,9 @@ Volume ReadVti(const std::string& path)
   }
   Volume volume;
   volume.Geometry = Geometry(image);
+  volume.Layers = ReadLayers(image, volume.Geometry);
   volume.Problem = GeometryProblem(volume.Geometry);
+  volume.Problem = volume.Problem.empty() ? LayersProblem(volume.Layers, image) : volume.Problem;
   volume.Image = vtkSmartPointer<vtkImageData>::New();
   volume.Image->SetDimensions(image->GetDimensions());
   volume.Image->GetPointData()->SetScalars(scalars);

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageLabels.h"
 
+#include "LabelMapArrays.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
@@ -40,6 +43,38 @@ VoxelGrid GridOf(vtkImageData* image, bool ofCells)
   grid.Origin = Vector3(image->GetOrigin());
   grid.Origin = grid.ToMillimeters(first);
   return grid;
+}
+
+/// Gives the grid the layers of the image, if it has positions of them.
+/// @return One sentence; empty if they are positions.
+std::string ReadLayers(vtkImageData* image, bool ofCells, VoxelGrid& grid)
+{
+  vtkDataArray* const layers = image->GetFieldData()->GetArray(GridLayersName);
+  if (!layers)
+  {
+    return {};
+  }
+  const std::string name = std::string("the field array ") + GridLayersName;
+  if (ofCells)
+  {
+    return name + " has positions of points, and the labels are those of cells";
+  }
+  if (layers->GetNumberOfComponents() != 1 || layers->GetNumberOfTuples() != grid.Dimensions[2])
+  {
+    return name + " does not have one position for each layer of the image";
+  }
+  double least = LargestCoordinate;
+  for (vtkIdType k = 0; k < layers->GetNumberOfTuples(); ++k)
+  {
+    const double distance =
+      k > 0 ? layers->GetComponent(k, 0) - grid.Layers.back() : LargestCoordinate;
+    least = distance < least || std::isnan(distance) ? distance : least;
+    grid.Layers.push_back(layers->GetComponent(k, 0));
+  }
+  grid.Spacing[2] = grid.Layers.size() > 1 ? least : grid.Spacing[2];
+  return least > 0.0 && grid.Layers[0] == 0.0 && grid.Layers.back() <= LargestCoordinate
+    ? std::string()
+    : name + " does not ascend from 0";
 }
 
 /// Whether each number is one of the labels that doubles hold exactly; if not, which is the first.
@@ -114,8 +149,13 @@ std::string ProblemOf(vtkDataArray* array, vtkIdType voxels)
 ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association)
 {
   ImageLabels result;
-  const VoxelGrid grid = GridOf(image, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const bool ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  VoxelGrid grid = GridOf(image, ofCells);
   result.Problem = ProblemOf(array, static_cast<vtkIdType>(grid.NumberOfVoxels()));
+  if (result.Problem.empty())
+  {
+    result.Problem = ReadLayers(image, ofCells, grid);
+  }
   if (!result.Problem.empty())
   {
     return result;

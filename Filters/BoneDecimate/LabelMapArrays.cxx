@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelMapArrays.h"
 
+#include "LabelFieldOrder.h"
 #include "Parallel.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -13,8 +13,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
@@ -49,6 +47,10 @@ void AddGrid(const VoxelGrid& grid, vtkPolyData* output)
   AddField<vtkDoubleArray>(
     output, GridDirectionName, std::vector<double>(rows.data(), rows.data() + 9), 9);
   AddField<vtkIntArray>(output, GridDimensionsName, grid.Dimensions, 3);
+  if (grid.HasLayers())
+  {
+    AddField<vtkDoubleArray>(output, GridLayersName, grid.Layers, 1);
+  }
 }
 
 template <typename Array>
@@ -83,60 +85,6 @@ bool FitInt(const std::vector<std::int64_t>& values)
     [](std::int64_t value) {
       return value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
     });
-}
-
-/// Of an array of any type; of 64 bits it is exact, which a double is not beyond 2^53.
-std::int64_t LabelIn(vtkDataArray* array, vtkIdType tuple, int component)
-{
-  if (auto* exact = vtkAOSDataArrayTemplate<long long>::FastDownCast(array))
-  {
-    return exact->GetTypedComponent(tuple, component);
-  }
-  if (auto* exact = vtkAOSDataArrayTemplate<long>::FastDownCast(array))
-  {
-    return exact->GetTypedComponent(tuple, component);
-  }
-  return static_cast<std::int64_t>(array->GetComponent(tuple, component));
-}
-
-void AppendEmptyRow(vtkAbstractArray* array)
-{
-  if (auto* numbers = vtkDataArray::SafeDownCast(array))
-  {
-    const std::vector<double> zeros(
-      static_cast<std::size_t>(numbers->GetNumberOfComponents()), 0.0);
-    numbers->InsertNextTuple(zeros.data());
-  }
-  else if (auto* texts = vtkStringArray::SafeDownCast(array))
-  {
-    texts->InsertNextValue("");
-  }
-}
-
-/// The rows of the array for the values, which are numbered in ofRows.
-void AddOrdered(vtkAbstractArray* array, vtkDataArray* ofRows,
-  const std::vector<std::int64_t>& values, vtkFieldData* output)
-{
-  const auto ordered = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-  ordered->SetName(array->GetName());
-  ordered->SetNumberOfComponents(array->GetNumberOfComponents());
-  for (const std::int64_t value : values)
-  {
-    vtkIdType row = 0;
-    while (row < ofRows->GetNumberOfTuples() && LabelIn(ofRows, row, 0) != value)
-    {
-      ++row;
-    }
-    if (row < ofRows->GetNumberOfTuples())
-    {
-      ordered->InsertNextTuple(row, array);
-    }
-    else
-    {
-      AppendEmptyRow(ordered);
-    }
-  }
-  output->AddArray(ordered);
 }
 
 //------------------------------------------------------------------------------
@@ -223,6 +171,11 @@ private:
         grid.Direction(axis, k) = direction->GetComponent(0, 3 * axis + k);
       }
     }
+    vtkDataArray* layers = this->Find(fields, GridLayersName, 1, grid.Dimensions[2]);
+    for (vtkIdType layer = 0; layers && layer < layers->GetNumberOfTuples(); ++layer)
+    {
+      grid.Layers.push_back(layers->GetComponent(layer, 0));
+    }
     this->CheckGrid();
   }
 
@@ -237,10 +190,17 @@ private:
     {
       this->Reject(GridSpacingName, "has a number that is not positive");
     }
-    const Eigen::Matrix3d product = grid.Direction.transpose() * grid.Direction;
-    if (!((product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= 1e-6))
+    VoxelGrid even = grid;
+    even.Layers.clear();
+    if (this->Problem.empty() && !even.IsValid())
     {
-      this->Reject(GridDirectionName, "does not have perpendicular unit vectors as columns");
+      this->Reject(
+        GridDirectionName, "does not have unit vectors that are not in one plane as columns");
+    }
+    if (this->Problem.empty() && !grid.IsValid())
+    {
+      this->Reject(GridLayersName,
+        "does not ascend from 0 in steps of at least the third number of VoxelGridSpacing");
     }
   }
 
@@ -345,24 +305,6 @@ void AddLabelMapArrays(const LabelMapSource& source, int threads, vtkPolyData* o
     [&](std::size_t point)
     { std::copy(source.OfPoint[point].begin(), source.OfPoint[point].end(), to + 3 * point); });
   output->GetPointData()->AddArray(points);
-}
-
-//------------------------------------------------------------------------------
-void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFieldData* output)
-{
-  vtkDataArray* values = image->GetArray(LabelValuesName);
-  if (!values || values->GetNumberOfComponents() != 1)
-  {
-    return;
-  }
-  for (const char* name : { "LabelNames", "LabelColors" })
-  {
-    vtkAbstractArray* array = image->GetAbstractArray(name);
-    if (array && array->GetNumberOfTuples() == values->GetNumberOfTuples())
-    {
-      AddOrdered(array, values, source.Values, output);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,8 @@
  *                   VoxelGridSpacing     mm, three components
  *                   VoxelGridDirection   row by row, nine components; the columns are the axes
  *                   VoxelGridDimensions  int, number of voxels, three components
+ *                   VoxelGridLayers      mm along the third axis of each layer from the first one, ascending; only if their
+ *                                        distance changes. The third of VoxelGridSpacing is then the least distance
  *                   LabelValues          the labels, ascending, and at the end the background
  *                   LabelNames           texts, in the order of LabelValues; if the image had them
  *                   LabelColors          in the order of LabelValues; if the image had them
@@ -26,7 +28,6 @@
 #include <string>
 #include <vector>
 
-class vtkFieldData;
 class vtkPolyData;
 
 namespace bonedecimate
@@ -35,6 +36,7 @@ constexpr const char* GridOriginName = "VoxelGridOrigin";
 constexpr const char* GridSpacingName = "VoxelGridSpacing";
 constexpr const char* GridDirectionName = "VoxelGridDirection";
 constexpr const char* GridDimensionsName = "VoxelGridDimensions";
+constexpr const char* GridLayersName = "VoxelGridLayers";
 constexpr const char* BoundaryLabelsName = "BoundaryLabels";
 constexpr const char* OtherLabelName = "OtherLabel";
 constexpr const char* GridPointName = "GridPoint";
@@ -42,10 +44,6 @@ constexpr const char* LabelValuesName = "LabelValues";
 
 /// Adds the arrays but those of names and colors.
 void AddLabelMapArrays(const LabelMapSource& source, int threads, vtkPolyData* output);
-
-/// Brings LabelNames and LabelColors of the image, which are in the order of its LabelValues, into the order of the source's values.
-/// Rows of values that the image does not name are empty or 0. Without LabelValues in the image they are not changed.
-void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFieldData* output);
 
 /// Of a result: its own BoundaryLabels if the input's were not passed (vertices and lines get two zeros), and no GridPoint, because
 /// points of a result are not where they were extracted. Field arrays are passed with all others.

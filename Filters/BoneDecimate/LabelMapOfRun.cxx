@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -40,6 +41,15 @@ bool AreSame(const VoxelGrid& a, const VoxelGrid& b)
   if (a.Dimensions != b.Dimensions)
   {
     return false;
+  }
+  for (Index layer = 0; layer < static_cast<Index>(std::max(a.Layers.size(), b.Layers.size()));
+       ++layer)
+  {
+    if (!(std::abs(b.ToVoxels(a.ToMillimeters({ 0.0, 0.0, 1.0 * layer }))[2] - layer) <=
+          LargestOffset))
+    {
+      return false;
+    }
   }
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -204,7 +214,7 @@ LabelMapOfRun ReadLabelMapOfRun(vtkPolyData* input, const ConvertedSurface& conv
 void CopyLabelMapFields(vtkPolyData* input, vtkPolyData* output)
 {
   for (const char* name : { GridOriginName, GridSpacingName, GridDirectionName, GridDimensionsName,
-         LabelValuesName, "LabelNames", "LabelColors" })
+         GridLayersName, LabelValuesName, "LabelNames", "LabelColors" })
   {
     vtkAbstractArray* array = input->GetFieldData()->GetAbstractArray(name);
     if (array)

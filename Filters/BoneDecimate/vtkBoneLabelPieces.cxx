@@ -113,6 +113,11 @@ vtkTypeInt64 vtkBoneLabelPieces::GetNumberOfIslandVoxels(vtkTypeInt64 label) con
   return PiecesOf(this->Internal->Counts.Islands, label).Voxels;
 }
 
+double vtkBoneLabelPieces::GetVolumeOfIslands(vtkTypeInt64 label) const
+{
+  return PiecesOf(this->Internal->Counts.Islands, label).Volume;
+}
+
 vtkTypeInt64 vtkBoneLabelPieces::GetNumberOfCavities(vtkTypeInt64 label) const
 {
   return PiecesOf(this->Internal->Counts.Cavities, label).Pieces;
@@ -121,6 +126,11 @@ vtkTypeInt64 vtkBoneLabelPieces::GetNumberOfCavities(vtkTypeInt64 label) const
 vtkTypeInt64 vtkBoneLabelPieces::GetNumberOfCavityVoxels(vtkTypeInt64 label) const
 {
   return PiecesOf(this->Internal->Counts.Cavities, label).Voxels;
+}
+
+double vtkBoneLabelPieces::GetVolumeOfCavities(vtkTypeInt64 label) const
+{
+  return PiecesOf(this->Internal->Counts.Cavities, label).Volume;
 }
 
 bool vtkBoneLabelPieces::IsLargestPieceTooSmall(vtkTypeInt64 label) const

@@ -87,12 +87,14 @@ public:
 
   ///@{
   /**
-   * What the last update changed of a label: islands that were removed and their voxels, cavities that were filled and theirs.
+   * What the last update changed of a label: islands that were removed, their voxels and mm^3, cavities that were filled and theirs.
    */
   vtkTypeInt64 GetNumberOfIslands(vtkTypeInt64 label) const;
   vtkTypeInt64 GetNumberOfIslandVoxels(vtkTypeInt64 label) const;
+  double GetVolumeOfIslands(vtkTypeInt64 label) const;
   vtkTypeInt64 GetNumberOfCavities(vtkTypeInt64 label) const;
   vtkTypeInt64 GetNumberOfCavityVoxels(vtkTypeInt64 label) const;
+  double GetVolumeOfCavities(vtkTypeInt64 label) const;
   ///@}
 
   /**

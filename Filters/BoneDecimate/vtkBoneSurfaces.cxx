@@ -4,6 +4,7 @@
 
 #include "FilterProgress.h"
 #include "ImageLabels.h"
+#include "LabelFieldOrder.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMap/SingleLabel.h"
 #include "LabelMapArrays.h"

@@ -13,7 +13,9 @@
  * - cell array BoundaryLabels: the labels on both sides of a triangle; the normal points from the first to the second. The first is
  *   the smaller, and the background is the second of any label, so normals point out of the bone.
  * - point array GridPoint: twice the coordinates, in voxels, of the middle of the grid edge, face or cell of the point.
- * - field arrays VoxelGridOrigin, VoxelGridSpacing, VoxelGridDirection, VoxelGridDimensions: the grid of the image.
+ * - field arrays VoxelGridOrigin, VoxelGridSpacing, VoxelGridDirection, VoxelGridDimensions: the grid of the image. If the image has
+ *   the field array VoxelGridLayers (mm along the third axis of each layer from the first one), layers are there, and the surface has the array, too.
+ *   The direction need not be orthogonal: it may be sheared, as by a tilted gantry.
  * - field array LabelValues: the labels, ascending, and at the end the background. Field arrays LabelNames and LabelColors of an
  *   image that has a LabelValues of its own are brought into this order. All other field data passes.
  *

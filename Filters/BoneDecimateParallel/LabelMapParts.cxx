@@ -78,7 +78,7 @@ std::vector<double> DescriptionOf(vtkPolyData* surface)
     static_cast<double>(surface->GetCellData()->HasArray("BoundaryLabels")),
     static_cast<double>(surface->GetPointData()->HasArray("GridPoint")) };
   for (const char* name : { "VoxelGridSpacing", "VoxelGridOrigin", "VoxelGridDirection",
-         "VoxelGridDimensions", "LabelValues" })
+         "VoxelGridDimensions", "VoxelGridLayers", "LabelValues" })
   {
     vtkDataArray* array = surface->GetFieldData()->GetArray(name);
     const vtkIdType count = array ? array->GetNumberOfValues() : 0;

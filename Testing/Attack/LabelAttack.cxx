@@ -255,7 +255,13 @@ std::string WhatVoxelsChanged(const LabelAttack& attack, const Result& result, T
 /// The grid with so many voxels more on all sides.
 VoxelGrid Padded(VoxelGrid grid, Index by)
 {
+  const VoxelGrid inner = grid;
   grid.Origin = grid.ToMillimeters(Vector3::Constant(-by));
+  for (Index k = 0; inner.HasLayers() && k < inner.Dimensions[2] + 2 * by; ++k)
+  {
+    grid.Layers.resize(static_cast<std::size_t>(k) + 1);
+    grid.Layers.back() = grid.Spacing[2] * (inner.StepsOf(k - by) - inner.StepsOf(-by));
+  }
   for (Index& size : grid.Dimensions)
   {
     size += 2 * by;

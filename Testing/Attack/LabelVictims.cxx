@@ -163,6 +163,21 @@ void PutAnywhere(Random& random, VoxelGrid& grid)
   {
     grid.Direction.col(random.Below(3)) *= -1.0;
   }
+  if (random.Below(4) == 0) // the gantry was tilted
+  {
+    const Vector3 tilt = 0.5 * random.InCube(1.0);
+    grid.Direction.col(2) = (grid.Direction.col(2) + tilt).normalized();
+  }
+  if (random.Below(4) == 0 && grid.Dimensions[2] > 1)
+  {
+    grid.Layers = { 0.0 };
+    const double most = random.Between(1.1, 4.0);
+    for (Index k = 1; k < grid.Dimensions[2]; ++k)
+    {
+      const double ratio = random.Below(2) == 0 ? 1.0 : random.Between(1.0, most);
+      grid.Layers.push_back(grid.Layers.back() + ratio * grid.Spacing[2]);
+    }
+  }
   if (random.Below(3) != 0)
   {
     grid.Origin = random.InCube(side * std::pow(10.0, random.Between(0.0, 5.0)));

@@ -52,8 +52,11 @@ BigPoint CenterOf(const VoxelGrid& grid, const std::array<Index, 3>& voxel)
   {
     for (Index k = 0; k < 3; ++k)
     {
-      center[static_cast<std::size_t>(row)] += Exact(grid.Direction(row, k), BitsOfFactor) *
-        Exact(grid.Spacing[k], BitsOfFactor) * voxel[static_cast<std::size_t>(k)];
+      const Index at = voxel[static_cast<std::size_t>(k)];
+      const Big length = k == 2 && grid.HasLayers()
+        ? Exact(grid.Layers[static_cast<std::size_t>(at)], BitsOfFactor)
+        : Big(Exact(grid.Spacing[k], BitsOfFactor) * at);
+      center[static_cast<std::size_t>(row)] += Exact(grid.Direction(row, k), BitsOfFactor) * length;
     }
   }
   return center;
@@ -215,7 +218,7 @@ std::int64_t CountLinesNear(
     {
       for (Index j = 1; j + 1 < grid.Dimensions[static_cast<std::size_t>(t)]; ++j)
       {
-        const Eigen::Vector2d p(i, j);
+        const Eigen::Vector2d p(s == 2 ? grid.StepsOf(i) : i, t == 2 ? grid.StepsOf(j) : j);
         const Eigen::Vector2d from(a[s], a[t]);
         const Eigen::Vector2d along(b[s] - a[s], b[t] - a[t]);
         const double squared = std::max(along.squaredNorm(), 1e-300);
@@ -256,7 +259,7 @@ std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, dou
     std::array<Vector3, 3> c;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      c[k] = grid.ToVoxels(surface.Points[static_cast<std::size_t>(t[k])]);
+      c[k] = grid.ToSteps(surface.Points[static_cast<std::size_t>(t[k])]);
     }
     const Vector3 low = c[0].cwiseMin(c[1]).cwiseMin(c[2]) - Vector3::Constant(voxels);
     const Vector3 high = c[0].cwiseMax(c[1]).cwiseMax(c[2]) + Vector3::Constant(voxels);
@@ -264,9 +267,10 @@ std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, dou
     {
       for (double y = std::ceil(low[1]); y <= high[1]; ++y)
       {
-        for (double z = std::ceil(low[2]); z <= high[2]; ++z)
+        for (double z = std::ceil(grid.LayerAt(low[2]) - 1e-9); grid.StepsOf(z) <= high[2]; ++z)
         {
-          count += PointTriangleDistance({ x, y, z }, c[0], c[1], c[2]) < voxels ? 1 : 0;
+          const Vector3 center(x, y, grid.StepsOf(z));
+          count += PointTriangleDistance(center, c[0], c[1], c[2]) < voxels ? 1 : 0;
         }
       }
     }
@@ -294,7 +298,7 @@ std::int64_t CountRimsNearLines(
   for (const auto& [edge, sum] : sums)
   {
     const auto point = [&](Index id)
-    { return grid.ToVoxels(surface.Surface.Points[static_cast<std::size_t>(id)]); };
+    { return grid.ToSteps(surface.Surface.Points[static_cast<std::size_t>(id)]); };
     count += sum == 0
       ? 0
       : CountLinesNear(point(std::get<1>(edge)), point(std::get<2>(edge)), grid, voxels);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of vtkBoneSurfaces, and the types of labels that it takes.
 #include "BruteForce.h"
+#include "ImageLabels.h"
 #include "LabelImages.h"
 #include "LabelMap/LabelSurfaces.h"
 #include "LabelMapArrays.h"
@@ -38,6 +39,49 @@ TEST(BoneSurfaces, HaveArraysThatReadBack)
     ExtractLabelSurfaces(MakeLabelImage(map.Labels.data(), map.Grid), {});
   EXPECT_EQ(read.Source.OfPoint, expected.Source.OfPoint);
   EXPECT_EQ(read.Source.OfTriangle, expected.Source.OfTriangle);
+}
+
+TEST(BoneSurfaces, OfShearedAndUnevenGridsAreThoseOfTheCore)
+{
+  for (const VoxelGrid& grid :
+    { ShearedGrid({ 15, 13, 12 }), Uneven(ShearedGrid({ 15, 13, 12 }, true)) })
+  {
+    LabelMap map = EllipsoidLabels({ 15, 13, 12 });
+    map.Grid = grid;
+    const auto surface = Extracted(ImageOf(map, VTK_UNSIGNED_CHAR, { 2, -4, 0 }));
+    const ReadLabelMap read = ReadLabelMapArrays(surface, ToSurface(surface, 1));
+    ASSERT_EQ(read.Problem, "");
+    EXPECT_EQ(read.Source.Grid.Layers, grid.Layers);
+    EXPECT_LT((read.Source.Grid.Direction - grid.Direction).norm(), 1e-12);
+    const LabelSurfaces expected =
+      ExtractLabelSurfaces(MakeLabelImage(map.Labels.data(), map.Grid), {});
+    const Surface found = ToSurface(surface, 1).Surface;
+    ASSERT_EQ(found.Points.size(), expected.Surface.Points.size());
+    for (std::size_t p = 0; p < found.Points.size(); ++p)
+    {
+      ASSERT_LT((found.Points[p] - expected.Surface.Points[p]).norm(), 1e-4);
+    }
+  }
+}
+
+TEST(BoneSurfaces, RejectLayersThatAreNotThoseOfTheImage)
+{
+  LabelMap map = EllipsoidLabels({ 8, 7, 6 });
+  map.Grid = Uneven(map.Grid);
+  const auto problemOf = [](vtkImageData* image)
+  {
+    return ReadImageLabels(
+      image, image->GetPointData()->GetScalars(), vtkDataObject::FIELD_ASSOCIATION_POINTS)
+      .Problem;
+  };
+  EXPECT_EQ(problemOf(ImageOf(map)), "");
+  const std::vector<std::vector<double>> others = { { 0, 1, 2, 3, 4 }, { 1, 2, 3, 4, 5, 6 },
+    { 0, 1, 2, 2, 3, 4 }, { 0, 1, 2, NAN, 3, 4 } };
+  for (const std::vector<double>& layers : others)
+  {
+    map.Grid.Layers = layers;
+    EXPECT_NE(problemOf(ImageOf(map)).find("VoxelGridLayers"), std::string::npos);
+  }
 }
 
 TEST(BoneSurfaces, HaveArraysThatAreRejectedIfTheyDoNotFit)

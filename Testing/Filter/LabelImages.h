@@ -13,6 +13,8 @@
 #include "vtkBoneSurfaces.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -35,6 +37,17 @@ inline vtkSmartPointer<vtkImageData> ImageOf(
   image->SetExtent(first[0], first[0] + size[0] - 1, first[1], first[1] + size[1] - 1, first[2],
     first[2] + size[2] - 1);
   VoxelGrid grid = map.Grid;
+  if (grid.HasLayers())
+  {
+    const vtkNew<vtkDoubleArray> layers;
+    layers->SetName("VoxelGridLayers");
+    for (const double layer : grid.Layers)
+    {
+      layers->InsertNextValue(layer);
+    }
+    image->GetFieldData()->AddArray(layers);
+    grid.Layers.clear();
+  }
   grid.Origin = grid.ToMillimeters(-Vector3(first[0], first[1], first[2]));
   image->SetOrigin(grid.Origin.data());
   image->SetSpacing(grid.Spacing.data());

@@ -71,12 +71,34 @@ VoxelGrid ObliqueGrid(const std::array<Index, 3>& size, bool isMirrored)
   return grid;
 }
 
+VoxelGrid ShearedGrid(const std::array<Index, 3>& size, bool isMirrored)
+{
+  VoxelGrid grid = ObliqueGrid(size, isMirrored);
+  Vector3 tilted =
+    grid.Direction.col(2) + 0.4 * grid.Direction.col(1) - 0.1 * grid.Direction.col(0);
+  grid.Direction.col(2) = tilted.normalized();
+  return grid;
+}
+
+VoxelGrid Uneven(VoxelGrid grid)
+{
+  static constexpr std::array<double, 3> ratios = { 1.0, 1.75, 3.0 };
+  const Index count = grid.Dimensions[2];
+  grid.Layers = { 0.0 };
+  for (Index k = 1; k < count; ++k)
+  {
+    const auto part = static_cast<std::size_t>(3 * (k - 1) / (count - 1));
+    grid.Layers.push_back(grid.Layers.back() + ratios[part] * grid.Spacing[2]);
+  }
+  return grid;
+}
+
 namespace
 {
 /// A line passes a triangle and goes from one label to another.
 struct Crossing
 {
-  double Height; ///< Voxels along the axis.
+  double Height; ///< Spacings along the axis.
   Index From;
   Index To;
 };
@@ -140,6 +162,20 @@ private:
   static constexpr double ShiftV = 0.37e-7;
 
   Index Size(std::size_t k) const { return this->Grid.Dimensions[this->Axes[k]]; }
+  /// Where voxel centers are along the k-th of the axes, in spacings; of the last one the distance goes on.
+  double At(std::size_t k, Index voxel) const
+  {
+    const std::vector<double>& layers = this->Grid.Layers;
+    if (this->Axes[k] != 2 || layers.size() < 2)
+    {
+      return voxel;
+    }
+    const Index last = static_cast<Index>(layers.size()) - 1;
+    const Index lower = std::clamp(voxel, 0, last - 1);
+    const double from = layers[static_cast<std::size_t>(lower)];
+    const double distance = layers[static_cast<std::size_t>(lower) + 1] - from;
+    return (from + (voxel - lower) * distance) / this->Grid.Spacing[2];
+  }
   std::vector<Crossing>& Column(Index u, Index v)
   {
     return this->Columns[static_cast<std::size_t>(u) +
@@ -156,6 +192,10 @@ private:
   {
     const auto range = [&](Index axis, Index size)
     {
+      if (this->Axes[static_cast<std::size_t>(axis)] == 2 && this->Grid.HasLayers())
+      {
+        return std::pair<Index, Index>(0, size - 1);
+      }
       const auto [low, high] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
       return std::pair(std::max(0, static_cast<Index>(std::floor(low)) - 1),
         std::min(size - 1, static_cast<Index>(std::ceil(high)) + 1));
@@ -173,13 +213,14 @@ private:
 
   void AddCrossing(const std::array<Vector3, 3>& c, const BoundaryLabels& labels, Index u, Index v)
   {
+    const double s = this->At(1, u) + ShiftU;
+    const double t = this->At(2, v) + ShiftV;
     std::array<double, 3> areas = {}; // of the triangles of the line and an edge
     for (std::size_t k = 0; k < 3; ++k)
     {
       const Vector3& p = c[(k + 1) % 3];
       const Vector3& q = c[(k + 2) % 3];
-      areas[k] =
-        (p[1] - u - ShiftU) * (q[2] - v - ShiftV) - (p[2] - v - ShiftV) * (q[1] - u - ShiftU);
+      areas[k] = (p[1] - s) * (q[2] - t) - (p[2] - t) * (q[1] - s);
     }
     const bool up = areas[0] > 0.0 && areas[1] > 0.0 && areas[2] > 0.0;
     const bool down = areas[0] < 0.0 && areas[1] < 0.0 && areas[2] < 0.0;
@@ -203,7 +244,7 @@ private:
     auto next = column.begin();
     for (Index h = 0; h < this->Size(0); ++h)
     {
-      for (; next != column.end() && next->Height < h; ++next)
+      for (; next != column.end() && next->Height < this->At(0, h); ++next)
       {
         --inside[static_cast<std::size_t>(next->From)];
         ++inside[static_cast<std::size_t>(next->To)];
@@ -222,8 +263,8 @@ private:
       std::vector<int> sums(static_cast<std::size_t>(this->Background) + 1, 0);
       for (const Crossing& crossing : column)
       {
-        const bool isOnEdge = (h == outside || crossing.Height >= h - 1) &&
-          (h == this->Size(0) - outside || crossing.Height < h);
+        const bool isOnEdge = (h == outside || crossing.Height >= this->At(0, h - 1)) &&
+          (h == this->Size(0) - outside || crossing.Height < this->At(0, h));
         sums[static_cast<std::size_t>(crossing.From)] -= isOnEdge ? 1 : 0;
         sums[static_cast<std::size_t>(crossing.To)] += isOnEdge ? 1 : 0;
       }

@@ -36,6 +36,12 @@ LabelMap EllipsoidLabels(const std::array<Index, 3>& size);
 /// Another origin and anisotropic spacing; the axes are turned about all three axes, and the last one is reversed if mirrored.
 VoxelGrid ObliqueGrid(const std::array<Index, 3>& size, bool isMirrored);
 
+/// That grid with axes that are not perpendicular, as of a tilted gantry.
+VoxelGrid ShearedGrid(const std::array<Index, 3>& size, bool isMirrored = false);
+
+/// Gives a grid layers at 1, 1.75 and 3 times its spacing from each other, in this order.
+VoxelGrid Uneven(VoxelGrid grid);
+
 /// The triangles have labels on both sides; the normal points from the first to the second.
 constexpr Index NoLabel = -1;
 

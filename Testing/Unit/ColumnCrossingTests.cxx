@@ -170,7 +170,7 @@ TEST(ColumnCrossings, AreExactOnTheLargestTriangles)
     const bool isNear = random.Below(2) == 0;
     const auto index = [&](std::size_t k)
     {
-      const Index planes = static_cast<Index>(box.NumberOfPlanes(k));
+      const Index planes = static_cast<Index>(CenterLattice().NumberOfPlanes(box, k));
       return isNear ? CenterAtOrAbove(near[k])
                     : CenterAtOrAbove(box.Low[k]) + random.Below(std::max(1, planes));
     };

@@ -63,6 +63,9 @@ inline std::vector<Map> Maps()
     { "ObliqueLabels", NoisyBones(ObliqueGrid(Size, false), 0.6) },
     { "MirroredBinary", Binary(NoisyBones(ObliqueGrid(Size, true), 0.6)) },
     { "Binary", Binary(NoisyBones(UnitGrid(Size), 0.4)) },
+    { "ShearedLabels", NoisyBones(ShearedGrid(Size), 0.6) },
+    { "UnevenBinary", Binary(NoisyBones(Uneven(UnitGrid(Size)), 0.6)) },
+    { "UnevenShearedLabels", NoisyBones(Uneven(ShearedGrid(Size, true)), 0.4) },
     { "RandomLabels", NoiseLabels({ 6, 5, 6 }, 4, 3) } };
 }
 

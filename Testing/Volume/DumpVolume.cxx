@@ -92,7 +92,7 @@ nlohmann::ordered_json Dump(
     description["type"] = read.Image->GetScalarTypeAsString();
     description["origin"] = read.Geometry.Origin;
     description["steps"] = read.Geometry.Steps;
-    description["layers"] = read.Layers;
+    description["layers"] = read.Layers; // in steps; empty: evenly spaced
     description["segments"] = SegmentsOf(read.Image->GetFieldData());
     WriteVoxels(read.Image, voxels);
     description["labels"] = LabelsOf(read);

@@ -44,9 +44,11 @@ def description(number, name, color):
         display_color=highdicom.color.CIELabColor.from_rgb(*color) if color else None)
 
 
-def segmentation(labels, direction, origin, spacing, kind="BINARY", syntax=pydicom.uid.ExplicitVRLittleEndian, **keywords):
-    """@param labels (z, y, x), or (z, y, x, segment) of 0 and 1. @return A data set that can be changed before it is saved."""
-    geometry = (lambda k: origin + k * direction[:, 2] * spacing[2], direction[:, :2].T.ravel(), spacing)
+def segmentation(labels, direction, origin, spacing, kind="BINARY", syntax=pydicom.uid.ExplicitVRLittleEndian,
+                 position=None, **keywords):
+    """@param labels (z, y, x), or (z, y, x, segment) of 0 and 1. @param position Of a plane, mm, if planes are not evenly spaced.
+    @return A data set that can be changed before it is saved."""
+    geometry = (position or (lambda k: origin + k * direction[:, 2] * spacing[2]), direction[:, :2].T.ravel(), spacing)
     count = labels.shape[3] if labels.ndim == 4 else int(labels.max())
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # about names that hold no patient's

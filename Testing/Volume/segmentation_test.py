@@ -202,6 +202,28 @@ class Segmentations(unittest.TestCase):
                 del measures(data).SpacingBetweenSlices
                 self.assertIn("not evenly spaced", self.dump(self.save(data))["problem"])
 
+    def test_are_where_their_planes_are_if_the_spacing_changes_or_the_gantry_was_tilted(self):
+        heights = np.cumsum([0, 1.3, 1.3, 1.3, 1.3, 3, 3, 3, 3])
+        labels = np.random.default_rng(6).integers(0, 4, (9, 5, 7)).astype(np.uint8)
+        with_gap = labels.copy()
+        with_gap[2] = 0
+        tilted = DIRECTION @ [0, 0.3, np.sqrt(1 - 0.09)]
+        for way, voxels, spaced in ((DIRECTION[:, 2], labels, False), (tilted, labels, False), (tilted, with_gap, False),
+                                    (DIRECTION[:, 2], labels, True), (tilted, labels, True)):
+            with self.subTest(way=way, gap=voxels is with_gap, spaced=spaced):
+                along = 1.3 * np.arange(9) if spaced else heights
+                data = written(voxels, position=lambda k, way=way, along=along: ORIGIN + along[k] * way)
+                found = self.dump(self.save(data))
+                self.assertEqual(found["problem"], "")
+                read = np.fromfile(self.folder / "voxels.raw", np.uint16).reshape(found["size"][::-1])
+                np.testing.assert_array_equal(read, voxels)
+                layers = np.arange(9) if spaced else np.array(found["layers"])
+                positions = np.array(found["origin"]) + layers[:, None] * np.array(found["steps"][2])
+                np.testing.assert_allclose(positions, ORIGIN + along[:, None] * way, rtol=0, atol=1e-4)
+                self.assertEqual("they are read where they are" in found["note"], not spaced)
+                self.assertEqual("1 of its 9 planes have no frame" in found["note"], voxels is with_gap)
+                self.program("bones.dcm", "out.vtp", "--segments", "all", "--max-error", "halfvoxel", "--measure", "off")
+
     def test_need_neither_a_right_distance_of_planes_nor_the_thickness_of_slices(self):
         for distance, thickness in ((None, 0.65), (7, 1.3), ("nan", 1.3), (0, 5)):
             data = written()

@@ -378,7 +378,7 @@ class LabelMaps(unittest.TestCase):
         for data, name, values, words in (
                 ("field_data", "VoxelGridSpacing", [[1.0, 0, 1]], "not positive"),
                 ("field_data", "VoxelGridOrigin", [[1.0, np.nan, 1]], "not finite"),
-                ("field_data", "VoxelGridDirection", [[1.0] * 9], "perpendicular"),
+                ("field_data", "VoxelGridDirection", [[1.0] * 9], "unit vectors"),
                 ("field_data", "VoxelGridDimensions", [[1, 2]], "number of components"),
                 ("field_data", "LabelValues", [7, 2, 0], "ascending order"),
                 ("field_data", "LabelValues", [2, 0], "not one of LabelValues")):

@@ -113,11 +113,11 @@ class Scans(unittest.TestCase):
         colors = SimpleITK.Image([4, 4, 4], SimpleITK.sitkVectorUInt8, 3)
         slice_ = SimpleITK.Image([4, 4], SimpleITK.sitkUInt8)
         series = nibabel.Nifti1Image(np.zeros((4, 4, 4, 2), np.int16), np.eye(4))
-        sheared = nibabel.Nifti1Image(halves(), np.array([[1, 0.3, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]))
+        flat = np.array([[1, 0, 1, 0], [0, 1, 1, 0], [0, 0, 1e-5, 0], [0, 0, 0, 1]])
         for image, says in ((colors, "3 values a voxel"), (slice_, "three dimensions, not 2"), (series, "not 4"),
-                            (sheared, "perpendicular")):
+                            (None, "not in one plane")):
             with self.assertRaisesRegex(ValueError, says):
-                extract_surfaces(image)
+                extract_surfaces(image) if image else LabelMap(halves(), axes="xyz", affine=flat)
         with self.assertRaisesRegex(TypeError, "one of VTK, SimpleITK or nibabel, not int"):
             LabelMap.from_image(3)
         with self.assertRaisesRegex(ValueError, "their own"):

@@ -43,13 +43,15 @@ LabelType TypeOf(const nb::dlpack::dtype& type)
 }
 
 VoxelGrid GridOf(const std::array<double, 3>& origin, const std::array<double, 3>& spacing,
-  const std::array<double, 9>& direction, const std::array<Index, 3>& dimensions)
+  const std::array<double, 9>& direction, const std::vector<double>& layers,
+  const std::array<Index, 3>& dimensions)
 {
   VoxelGrid grid;
   grid.Origin = Vector3(origin.data());
   grid.Spacing = Vector3(spacing.data());
   grid.Direction = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(direction.data());
   grid.Dimensions = dimensions;
+  grid.Layers = layers;
   return grid;
 }
 
@@ -96,11 +98,11 @@ nb::dict ToDict(LabelSurfaces&& surfaces)
 
 nb::dict Extract(const VolumeIn& labels, const std::array<double, 3>& origin,
   const std::array<double, 3>& spacing, const std::array<double, 9>& direction,
-  const std::vector<std::int64_t>& chosen, std::int64_t background, bool closed, int threads,
-  nb::object progress)
+  const std::vector<double>& layers, const std::vector<std::int64_t>& chosen,
+  std::int64_t background, bool closed, int threads, nb::object progress)
 {
   const LabelImage image = { labels.data(), TypeOf(labels.dtype()),
-    GridOf(origin, spacing, direction, DimensionsOf(labels)) };
+    GridOf(origin, spacing, direction, layers, DimensionsOf(labels)) };
   const LabelSurfaceOptions options = { chosen, background, closed, threads };
   return ToDict(
     Listener(std::move(progress))
@@ -121,14 +123,14 @@ std::vector<std::array<std::int64_t, 4>> RowsOf(const std::vector<SegmentPieces>
   return rows;
 }
 
-nb::tuple Change(const VolumeInOut& labels, const std::array<double, 3>& spacing,
-  const std::vector<std::int64_t>& chosen, std::int64_t background,
-  const std::array<double, 3>& islands, double cavityVolume)
+nb::tuple Change(const VolumeInOut& labels, const std::array<double, 3>& origin,
+  const std::array<double, 3>& spacing, const std::array<double, 9>& direction,
+  const std::vector<double>& layers, const std::vector<std::int64_t>& chosen,
+  std::int64_t background, const std::array<double, 3>& islands, double cavityVolume)
 {
-  VoxelGrid grid;
-  grid.Spacing = Vector3(spacing.data());
-  grid.Dimensions = { static_cast<Index>(labels.shape(2)), static_cast<Index>(labels.shape(1)),
-    static_cast<Index>(labels.shape(0)) };
+  const VoxelGrid grid = GridOf(origin, spacing, direction, layers,
+    { static_cast<Index>(labels.shape(2)), static_cast<Index>(labels.shape(1)),
+      static_cast<Index>(labels.shape(0)) });
   const PieceOptions options = { chosen, background, { islands[0], islands[1], islands[2] },
     cavityVolume };
   PieceCounts counts;
@@ -161,10 +163,12 @@ nb::tuple Single(const PointsIn& points, const TrianglesIn& triangles,
 
 void MakeSource(LabelMapSource* source, const std::array<double, 3>& origin,
   const std::array<double, 3>& spacing, const std::array<double, 9>& direction,
-  const std::array<Index, 3>& dimensions, std::vector<std::int64_t> values,
-  const std::optional<PairsIn>& boundaryLabels, const std::optional<GridPointsIn>& gridPoints)
+  const std::vector<double>& layers, const std::array<Index, 3>& dimensions,
+  std::vector<std::int64_t> values, const std::optional<PairsIn>& boundaryLabels,
+  const std::optional<GridPointsIn>& gridPoints)
 {
-  new (source) LabelMapSource{ GridOf(origin, spacing, direction, dimensions), std::move(values) };
+  new (source)
+    LabelMapSource{ GridOf(origin, spacing, direction, layers, dimensions), std::move(values) };
   for (std::size_t t = 0; boundaryLabels && t < boundaryLabels->shape(0); ++t)
   {
     const std::int64_t* pair = boundaryLabels->data() + 2 * t;
@@ -214,11 +218,12 @@ nb::dict Check(const VolumeIn& labels, const LabelMapSource& source, const Point
 void BindLabelMaps(nb::module_& module)
 {
   module.def("extract_surfaces", &Extract, nb::arg("labels"), nb::arg("origin"), nb::arg("spacing"),
-    nb::arg("direction"), nb::arg("chosen"), nb::arg("background"), nb::arg("closed"),
-    nb::arg("threads"), nb::arg("progress").none(),
+    nb::arg("direction"), nb::arg("layers"), nb::arg("chosen"), nb::arg("background"),
+    nb::arg("closed"), nb::arg("threads"), nb::arg("progress").none(),
     "The surfaces of a label map with indices z, y, x; the direction is row by row.");
-  module.def("change_pieces", &Change, nb::arg("labels"), nb::arg("spacing"), nb::arg("chosen"),
-    nb::arg("background"), nb::arg("islands"), nb::arg("cavity_volume"),
+  module.def("change_pieces", &Change, nb::arg("labels"), nb::arg("origin"), nb::arg("spacing"),
+    nb::arg("direction"), nb::arg("layers"), nb::arg("chosen"), nb::arg("background"),
+    nb::arg("islands"), nb::arg("cavity_volume"),
     "Changes a label map with indices z, y, x; islands are the least size, area and volume. Rows "
     "of label, pieces, voxels and whether the largest piece is too small: of islands, of "
     "cavities.");
@@ -228,8 +233,8 @@ void BindLabelMaps(nb::module_& module)
   nb::class_<LabelMapSource>(module, "LabelMapSource",
     "What is known of the label map of a surface; the boundary labels are indices into the values.")
     .def("__init__", &MakeSource, nb::arg("origin"), nb::arg("spacing"), nb::arg("direction"),
-      nb::arg("dimensions"), nb::arg("values"), nb::arg("boundary_labels").none(),
-      nb::arg("grid_points").none());
+      nb::arg("layers"), nb::arg("dimensions"), nb::arg("values"),
+      nb::arg("boundary_labels").none(), nb::arg("grid_points").none());
   module.def("check_voxels", &Check, nb::arg("labels"), nb::arg("source"), nb::arg("points"),
     nb::arg("triangles"), nb::arg("threads"), nb::arg("progress").none(),
     "Compares a label map with indices z, y, x, on the grid of the source, with a surface whose "

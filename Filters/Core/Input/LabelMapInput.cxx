@@ -25,10 +25,7 @@ bool HasGrid(const LabelMapSource* source)
 
 bool IsValidGrid(const VoxelGrid& grid)
 {
-  const Eigen::Matrix3d product = grid.Direction.transpose() * grid.Direction;
-  return IsUsable(grid.Origin) && IsUsable(grid.Spacing) && grid.Spacing.minCoeff() > 0.0 &&
-    (product - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= 1e-6 &&
-    *std::min_element(grid.Dimensions.begin(), grid.Dimensions.end()) > 0;
+  return grid.IsValid() && *std::min_element(grid.Dimensions.begin(), grid.Dimensions.end()) > 0;
 }
 
 bool ArePairsValid(const LabelMapSource& source, std::size_t triangles)
@@ -48,7 +45,7 @@ bool IsNearGrid(const Surface& input, const VoxelGrid& grid)
   {
     const bool isThere = point >= 0 && static_cast<std::size_t>(point) < input.Points.size();
     return !isThere || !IsUsable(input.Points[static_cast<std::size_t>(point)]) ||
-      grid.ToVoxels(input.Points[static_cast<std::size_t>(point)]).cwiseAbs().maxCoeff() <=
+      grid.ToSteps(input.Points[static_cast<std::size_t>(point)]).cwiseAbs().maxCoeff() <=
       LargestExtent;
   };
   return std::all_of(input.Triangles.begin(), input.Triangles.end(),

@@ -33,10 +33,10 @@ void FindSource(const Surface& input, const LabelMapSource* labelMap, SmoothingP
                                           : Source::Unknown;
 }
 
-void PlanByVoxels(const Vector3& spacing, const Options& options, SmoothingPlan& plan)
+void PlanByVoxels(const VoxelGrid& grid, const Options& options, SmoothingPlan& plan)
 {
-  const double least = spacing.minCoeff();
-  const double most = spacing.maxCoeff();
+  const double least = grid.Spacing.minCoeff();
+  const double most = grid.LargestSpacing().maxCoeff();
   const double error = options.MaximumError;
   plan.InVoxels = most >= ThickSlices * least && (error == 0.0 || error >= most);
   plan.Radius = 0.5 * (plan.InVoxels ? most : least);
@@ -64,7 +64,7 @@ SmoothingPlan PlanSmoothing(
   }
   else if (plan.Source() != nullptr)
   {
-    PlanByVoxels(plan.Source()->Grid.Spacing, options, plan);
+    PlanByVoxels(plan.Source()->Grid, options, plan);
   }
   return plan;
 }

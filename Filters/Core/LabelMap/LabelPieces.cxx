@@ -32,7 +32,8 @@ public:
     : Labels(LabelsOf(image, background))
     , Runs(image, LabelRanks(Labels))
     , Background(background)
-    , VoxelVolume(image.Grid.Spacing.prod())
+    , Grid(image.Grid)
+    , VoxelVolume(image.Grid.Spacing.prod() * image.Grid.UnitVolume())
     , IndexOfRank(Labels.size() + 1, LabelRuns::None)
   {
     std::vector<std::int64_t> sorted = segments;
@@ -45,7 +46,7 @@ public:
         this->IndexOfRank[static_cast<std::size_t>(found - this->Labels.begin()) + 1] =
           this->Changes.Segments.size();
       }
-      this->Changes.Segments.push_back({ segment, 0, 0, false });
+      this->Changes.Segments.push_back({ segment, 0, 0, 0.0, false });
     }
   }
 
@@ -59,6 +60,16 @@ public:
     return this->Changes.Segments[this->IndexOfRank[static_cast<std::size_t>(rank)]];
   }
 
+  /// Adds a piece to those of a label that change.
+  void Note(Index rank, std::size_t voxels, double amount)
+  {
+    const Vector3& spacing = this->Grid.Spacing;
+    SegmentPieces& segment = this->SegmentOf(rank);
+    ++segment.Pieces;
+    segment.Voxels += static_cast<std::int64_t>(voxels);
+    segment.Volume += amount * (spacing[0] * spacing[1] * spacing[2] * this->Grid.UnitVolume());
+  }
+
   /// Notes that a run gets a label.
   void Change(const LabelRun& run, Index rank)
   {
@@ -70,7 +81,8 @@ public:
   std::vector<std::int64_t> Labels;
   LabelRuns Runs;
   std::int64_t Background;
-  double VoxelVolume; // mm^3
+  const VoxelGrid& Grid;
+  double VoxelVolume; // mm^3, of a voxel as thick as the grid's spacing
   PieceChanges Changes;
 
 private:
@@ -81,6 +93,7 @@ private:
 struct Piece
 {
   std::size_t Voxels = 0;
+  double Amount = 0.0; // LabelRuns::Amount()
   std::array<std::size_t, 3> Low = { LabelRuns::None, LabelRuns::None, LabelRuns::None };
   std::array<std::size_t, 3> High = { 0, 0, 0 }; // the voxels behind the last ones
   double Area = 0.0;                             // mm^2
@@ -148,7 +161,9 @@ private:
     {
       if (this->IsOfSegment(run))
       {
-        this->Pieces[this->PieceOf[run]].Add(this->Runs[run], height);
+        Piece& piece = this->Pieces[this->PieceOf[run]];
+        piece.Add(this->Runs[run], height);
+        piece.Amount += this->Segments.Runs.Amount(this->Runs[run]);
       }
     }
     if (!(this->Limits.Area > 0.0))
@@ -179,15 +194,16 @@ private:
 
   bool IsTooSmall(const Piece& piece) const
   {
-    double size = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    double size =
+      this->Grid.ThicknessOf(static_cast<Index>(piece.Low[2]), static_cast<Index>(piece.High[2]));
+    for (std::size_t axis = 0; axis < 2; ++axis)
     {
       size = std::max(size,
         static_cast<double>(piece.High[axis] - piece.Low[axis]) *
           this->Grid.Spacing[static_cast<Eigen::Index>(axis)]);
     }
     return size < this->Limits.Size || piece.Area < this->Limits.Area ||
-      static_cast<double>(piece.Voxels) * this->Segments.VoxelVolume < this->Limits.Volume;
+      piece.Amount * this->Segments.VoxelVolume < this->Limits.Volume;
   }
 
   /// All pieces that are too small but the largest of each segment.
@@ -197,7 +213,7 @@ private:
     for (const auto& [first, piece] : this->Pieces)
     {
       const auto [kept, isNew] = largest.emplace(this->Runs[first].Rank, first);
-      if (!isNew && piece.Voxels > this->Pieces[kept->second].Voxels)
+      if (!isNew && piece.Amount > this->Pieces[kept->second].Amount)
       {
         kept->second = first;
       }
@@ -211,8 +227,7 @@ private:
       if (isTooSmall && !isLargest)
       {
         this->Islands[first];
-        ++segment.Pieces;
-        segment.Voxels += static_cast<std::int64_t>(piece.Voxels);
+        this->Segments.Note(this->Runs[first].Rank, piece.Voxels, piece.Amount);
       }
     }
   }
@@ -308,7 +323,8 @@ struct Cavity
   static constexpr Index Open = -1; ///< Reaches the end of the image, or touches several labels.
 
   std::size_t Voxels = 0;
-  Index Rank = 0; ///< Around it; 0: not known yet.
+  double Amount = 0.0; ///< LabelRuns::Amount()
+  Index Rank = 0;      ///< Around it; 0: not known yet.
 
   void Touch(Index rank) { this->Rank = this->Rank == 0 || this->Rank == rank ? rank : Open; }
 };
@@ -335,7 +351,9 @@ PieceChanges FindCavities(const LabelImage& image, const std::vector<std::int64_
   {
     if (all[run].Rank == 0)
     {
-      cavities[pieceOf[run]].Voxels += LabelRuns::Length(all[run]);
+      Cavity& cavity = cavities[pieceOf[run]];
+      cavity.Voxels += LabelRuns::Length(all[run]);
+      cavity.Amount += runs.Runs.Amount(all[run]);
     }
   }
   runs.Runs.VisitFaces(
@@ -355,14 +373,13 @@ PieceChanges FindCavities(const LabelImage& image, const std::vector<std::int64_
   const auto isFilled = [&](const Cavity& cavity)
   {
     return cavity.Rank > 0 && runs.IsSegment(cavity.Rank) &&
-      static_cast<double>(cavity.Voxels) * runs.VoxelVolume <= largestVolume;
+      cavity.Amount * runs.VoxelVolume <= largestVolume;
   };
   for (const auto& [first, cavity] : cavities)
   {
     if (isFilled(cavity))
     {
-      ++runs.SegmentOf(cavity.Rank).Pieces;
-      runs.SegmentOf(cavity.Rank).Voxels += static_cast<std::int64_t>(cavity.Voxels);
+      runs.Note(cavity.Rank, cavity.Voxels, cavity.Amount);
     }
   }
   for (std::size_t run = 0; run < all.size(); ++run)

@@ -43,6 +43,7 @@ struct SegmentPieces
   std::int64_t Label = 0;
   std::int64_t Pieces = 0;        ///< Islands that are removed, or cavities that are filled.
   std::int64_t Voxels = 0;        ///< Of all of them.
+  double Volume = 0.0;            ///< mm^3, of all of them.
   bool IsLargestTooSmall = false; ///< The largest piece, which stays, is below a limit, too.
 };
 

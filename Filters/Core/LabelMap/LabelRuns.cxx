@@ -14,7 +14,12 @@ LabelRuns::LabelRuns(const LabelImage& image, const LabelRanks& ranks)
   , Height(static_cast<std::size_t>(image.Grid.Dimensions[1]))
   , Depth(static_cast<std::size_t>(image.Grid.Dimensions[2]))
   , Spacing(image.Grid.Spacing)
+  , Shear(image.Grid.UnitArea(0), image.Grid.UnitArea(1), image.Grid.UnitArea(2))
 {
+  for (Index layer = 0; layer < image.Grid.Dimensions[2]; ++layer)
+  {
+    this->Thickness.push_back(image.Grid.ThicknessOf(layer, layer + 1));
+  }
   std::vector<Index> row(this->Width);
   for (std::size_t number = 0; number < this->Height * this->Depth; ++number)
   {

@@ -38,6 +38,13 @@ public:
     return static_cast<std::size_t>(run.End - run.Begin);
   }
 
+  /// In voxels as thick as the grid's spacing: their number where layers have no positions of their own.
+  double Amount(const LabelRun& run) const
+  {
+    return static_cast<double>(Length(run)) *
+      (this->Thickness[run.Row / this->Height] / this->Spacing[2]);
+  }
+
   /**
    * Calls visit(run, other, area) for the faces between two runs in mm^2, once for each pair of rows, and visit(run, None, area) for those at
    * the end of the image.
@@ -80,7 +87,9 @@ private:
   std::size_t Width;
   std::size_t Height;
   std::size_t Depth;
-  Vector3 Spacing; // mm
+  Vector3 Spacing;               // mm
+  Vector3 Shear;                 // VoxelGrid::UnitArea()
+  std::vector<double> Thickness; // of each layer, mm
   std::vector<LabelRun> Runs;
   std::vector<std::size_t> FirstOfRow; // and the end
 };
@@ -110,11 +119,12 @@ void LabelRuns::VisitFacesBetween(
 template <typename Visit>
 void LabelRuns::VisitFaces(const Visit& visit) const
 {
-  const double alongX = this->Spacing[1] * this->Spacing[2];
-  const double alongY = this->Spacing[0] * this->Spacing[2];
-  const double alongZ = this->Spacing[0] * this->Spacing[1];
+  const double alongZ = this->Spacing[0] * this->Spacing[1] * this->Shear[2];
   for (std::size_t row = 0; row < this->Height * this->Depth; ++row)
   {
+    const double thickness = this->Thickness[row / this->Height];
+    const double alongX = this->Spacing[1] * thickness * this->Shear[0];
+    const double alongY = this->Spacing[0] * thickness * this->Shear[1];
     const std::size_t last = this->FirstOfRow[row + 1] - 1;
     visit(this->FirstOfRow[row], None, alongX);
     for (std::size_t a = this->FirstOfRow[row]; a < last; ++a)

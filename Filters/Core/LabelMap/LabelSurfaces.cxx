@@ -24,7 +24,7 @@ namespace
 constexpr Index LayersInAPart = 8;
 constexpr std::int64_t LargestIndex = std::numeric_limits<Index>::max();
 constexpr Index LargestDimension = (1 << 30) - 2; // twice a padded coordinate is an index
-constexpr double OrthogonalButForRounding = 1e-4;
+constexpr double OrthogonalButForRounding = 1e-3; // as program and wheel
 constexpr double Orthogonal = 1e-14;
 
 double DeviationFromOrthogonal(const Eigen::Matrix3d& matrix)
@@ -32,9 +32,13 @@ double DeviationFromOrthogonal(const Eigen::Matrix3d& matrix)
   return (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
 }
 
-/// Newton's iteration for the polar decomposition.
-Eigen::Matrix3d NearestOrthogonal(Eigen::Matrix3d matrix)
+/// Newton's iteration for the polar decomposition, of axes that are orthogonal but for rounding; others are those of a sheared grid.
+Eigen::Matrix3d NearestDirection(Eigen::Matrix3d matrix)
 {
+  if (!(DeviationFromOrthogonal(matrix) <= OrthogonalButForRounding))
+  {
+    return matrix;
+  }
   for (int step = 0; step < 4 && DeviationFromOrthogonal(matrix) > Orthogonal; ++step)
   {
     matrix = (0.5 * (matrix + matrix.inverse().transpose())).eval();
@@ -49,10 +53,9 @@ LabelSurfaceStatus CheckGrid(const VoxelGrid& grid, const LabelSurfaceOptions& o
   {
     return LabelSurfaceStatus::NoVoxels;
   }
-  const bool isFinite =
-    IsUsable(grid.Origin) && IsUsable(grid.Spacing) && grid.Direction.allFinite();
-  if (!isFinite || !(grid.Spacing.minCoeff() > 0.0) ||
-    !(DeviationFromOrthogonal(grid.Direction) <= OrthogonalButForRounding))
+  VoxelGrid rounded = grid;
+  rounded.Direction = NearestDirection(grid.Direction);
+  if (!rounded.IsValid())
   {
     return LabelSurfaceStatus::BadGrid;
   }
@@ -95,7 +98,7 @@ public:
     if (this->IsGood())
     {
       this->Result.Source.Grid = this->Image.Grid;
-      this->Result.Source.Grid.Direction = NearestOrthogonal(this->Image.Grid.Direction);
+      this->Result.Source.Grid.Direction = NearestDirection(this->Image.Grid.Direction);
       this->FindLabels();
     }
     if (this->IsGood())
@@ -125,7 +128,7 @@ private:
     if (labels.empty())
     {
       LabelImage inMemory = this->Image;
-      inMemory.Grid.Dimensions[2] = this->Layers().Count();
+      inMemory.Grid.Dimensions[2] = this->Layers().Count(); // its layers count alone
       LabelValues found =
         FindLabelValues(inMemory, this->Options.Threads, MonitorOf(this->Report, 0.0, 0.1));
       this->Result.Status = !found.IsComplete ? LabelSurfaceStatus::Aborted
@@ -243,8 +246,8 @@ const char* LabelSurfaceMessage(LabelSurfaceStatus status)
   static constexpr std::array<const char*, NumberOfLabelSurfaceStatuses> messages = { "",
     "the label map has no voxels, or more than 2^30 - 2 along an axis",
     "the label map is one voxel thin; extract closed surfaces",
-    "the grid of the label map needs finite values, a positive spacing and perpendicular unit "
-    "vectors as axes",
+    "the grid of the label map needs finite values, a positive spacing, unit vectors that are not "
+    "in one plane as axes, and positions of layers that ascend from 0, if there are any",
     "a label is larger than 2^63 - 1", "the surfaces have more than 2^31 - 1 points or triangles",
     "the extraction was aborted", "a slab of a label map needs at least two of its layers" };
   return messages[static_cast<std::size_t>(status)];

@@ -46,9 +46,9 @@ struct LabelSurfaceOptions
 enum class LabelSurfaceStatus : int
 {
   Good = 0,
-  NoVoxels, ///< The grid has no voxels, or an axis has more than 2^30 - 2.
-  TooThin,  ///< Open surfaces need at least two voxels along each axis.
-  BadGrid, ///< Not finite, a spacing that is not positive, or axes that are not perpendicular unit vectors.
+  NoVoxels,        ///< The grid has no voxels, or an axis has more than 2^30 - 2.
+  TooThin,         ///< Open surfaces need at least two voxels along each axis.
+  BadGrid,         ///< VoxelGrid::IsValid()
   LabelOutOfRange, ///< A label beyond 2^63 - 1.
   TooLarge,        ///< More than 2^31 - 1 points or triangles.
   Aborted,         ///< By the monitor.
@@ -67,8 +67,8 @@ struct LabelSurfaces
 };
 
 /**
- * @param image A direction that is orthogonal but for rounding (up to 1e-4) is replaced by the nearest orthogonal one; the
- *        grid of the result tells it.
+ * @param image A direction that is orthogonal but for rounding (up to 1e-3) is replaced by the nearest orthogonal one; the
+ *        grid of the result tells it. Others are sheared grids and stay as they are.
  * @throws std::bad_alloc and nothing else.
  */
 LabelSurfaces ExtractLabelSurfaces(

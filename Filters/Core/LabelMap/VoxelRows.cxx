@@ -148,10 +148,11 @@ VoxelRows::VoxelRows(
   , Labels(surface.Labels)
   , Background(background)
   , IsMirrored(grid.Direction.determinant() < 0.0)
+  , Grid(grid)
   , Points(surface.Surface.Points.size())
 {
   ForEachId(this->Points.size(), threads,
-    [&](std::size_t p) { this->Points[p] = grid.ToVoxels(surface.Surface.Points[p]); });
+    [&](std::size_t p) { this->Points[p] = grid.ToSteps(surface.Surface.Points[p]); });
   Vector3 low = Vector3::Constant(Farthest);
   Vector3 high = -low;
   for (const Triangle& c : this->Triangles)
@@ -167,17 +168,38 @@ VoxelRows::VoxelRows(
     this->Low[k] = FloorOf(low[static_cast<Eigen::Index>(k)]);
     this->High[k] = CeilOf(high[static_cast<Eigen::Index>(k)]);
   }
-  const auto slicesOf = [&](const Triangle& c) -> std::array<std::int64_t, 2>
+  if (grid.HasLayers())
   {
-    const double z[3] = { this->Points[c[0]][2], this->Points[c[1]][2], this->Points[c[2]][2] };
-    return { CeilOf(*std::min_element(z, z + 3)) - this->Low[2],
-      FloorOf(*std::max_element(z, z + 3)) - this->Low[2] + 1 };
-  };
+    this->Low[2] = grid.LastLayerAtOrBelow(std::clamp(low[2], -Farthest, Farthest));
+    this->High[2] = grid.FirstLayerAtOrAbove(std::clamp(high[2], -Farthest, Farthest));
+  }
+  this->SortIntoSlices();
+}
+
+//------------------------------------------------------------------------------
+/// The first slice from Low that its plane may meet, and the one behind the last.
+std::array<std::int64_t, 2> VoxelRows::SlicesOf(const Triangle& c) const
+{
+  const auto [least, largest] =
+    std::minmax({ this->Points[c[0]][2], this->Points[c[1]][2], this->Points[c[2]][2] });
+  const bool hasLayers = this->Grid.HasLayers();
+  const std::int64_t first = hasLayers
+    ? this->Grid.FirstLayerAtOrAbove(std::clamp(least, -Farthest, Farthest))
+    : CeilOf(least);
+  const std::int64_t last = hasLayers
+    ? this->Grid.LastLayerAtOrBelow(std::clamp(largest, -Farthest, Farthest))
+    : FloorOf(largest);
+  return { first - this->Low[2], last - this->Low[2] + 1 };
+}
+
+//------------------------------------------------------------------------------
+void VoxelRows::SortIntoSlices()
+{
   const std::int64_t slices = std::max<std::int64_t>(0, this->High[2] - this->Low[2] + 1);
   this->Starts.assign(static_cast<std::size_t>(slices) + 1, 0);
   for (const Triangle& c : this->Triangles)
   {
-    const auto range = slicesOf(c);
+    const auto range = this->SlicesOf(c);
     for (std::int64_t z = range[0]; z < range[1]; ++z)
     {
       ++this->Starts[static_cast<std::size_t>(z) + 1];
@@ -188,7 +210,7 @@ VoxelRows::VoxelRows(
   std::vector<std::size_t> next = this->Starts;
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
-    const auto range = slicesOf(this->Triangles[t]);
+    const auto range = this->SlicesOf(this->Triangles[t]);
     for (std::int64_t z = range[0]; z < range[1]; ++z)
     {
       this->InSlice[next[static_cast<std::size_t>(z)]++] = static_cast<Index>(t);
@@ -244,9 +266,10 @@ void VoxelRows::Slice::Cross(Index triangle, std::int64_t z)
   const BoundaryLabels& labels = this->Rows.Labels.empty() ? single : this->Rows.Labels[triangle];
   const std::int64_t first = CeilOf(std::min({ corners[0][1], corners[1][1], corners[2][1] }));
   const std::int64_t last = FloorOf(std::max({ corners[0][1], corners[1][1], corners[2][1] }));
+  const double height = this->Rows.Grid.StepsOf(static_cast<double>(z));
   for (std::int64_t y = first; y <= last; ++y)
   {
-    const Vector3 p(0.0, static_cast<double>(y), static_cast<double>(z));
+    const Vector3 p(0.0, static_cast<double>(y), height);
     const int winding = WindingOf(corners[0], corners[1], p) +
       WindingOf(corners[1], corners[2], p) + WindingOf(corners[2], corners[0], p);
     if (winding != 0)

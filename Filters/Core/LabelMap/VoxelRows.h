@@ -4,7 +4,7 @@
  * @file VoxelRows.h
  * @brief Voxelizes a surface with labels on both sides, row by row along the first axis of the grid.
  *
- *     points in voxels
+ *     points in steps of the grid
  *     for each slice:    the triangles that its plane may meet
  *         for each row:  the triangles that it crosses (the winding number of their projection), exactly, and between which voxels
  *                        along the row each crossing replaces one label by the other
@@ -85,11 +85,15 @@ public:
 private:
   friend class Slice;
 
+  std::array<std::int64_t, 2> SlicesOf(const Triangle& triangle) const;
+  void SortIntoSlices();
+
   const std::vector<Triangle>& Triangles;
   const std::vector<BoundaryLabels>& Labels;
   Index Background;
   bool IsMirrored; // voxel coordinates are left-handed, so normals point to the first label there
-  std::vector<Vector3> Points; // voxels
+  VoxelGrid Grid;
+  std::vector<Vector3> Points; // steps
   std::array<std::int64_t, 3> Low{};
   std::array<std::int64_t, 3> High{};
   std::vector<std::size_t> Starts; // of each slice from Low, in InSlice

@@ -71,6 +71,8 @@ DisplacementSets::DisplacementSets(const std::vector<Vector3>& points, std::vect
   if (source != nullptr && !source->OfPoint.empty())
   {
     this->Axes = source->Grid.Direction;
+    this->IsSheared = !source->Grid.IsOrthogonal();
+    this->InverseAxes = source->Grid.InverseDirection();
     this->Unit = inVoxels ? Vector3(0.5 * source->Grid.Spacing) : Vector3(Vector3::Ones());
     this->HalfVoxelsPerUnit = this->Unit.cwiseQuotient(0.5 * source->Grid.Spacing);
     this->AddOctahedra(points, *source, threads);
@@ -83,13 +85,26 @@ void DisplacementSets::AddOctahedra(
   const std::vector<Vector3>& points, const LabelMapSource& source, int threads)
 {
   this->Octahedra.resize(points.size());
+  this->HalfVoxelsAlongThird.resize(source.Grid.HasLayers() ? points.size() : 0);
   ForEachId(points.size(), threads,
     [&](std::size_t p)
     {
       const GridPoint& center = source.OfPoint[p];
-      const Vector3 voxels = source.Grid.ToVoxels(points[p]);
-      const Vector3 halfVoxels = 2.0 * voxels - Vector3(center[0], center[1], center[2]);
-      this->Octahedra[p] = { halfVoxels.cwiseQuotient(this->HalfVoxelsPerUnit),
+      const Vector3 halves(center[0], center[1], center[2]);
+      Vector3 halfVoxels;
+      if (source.Grid.HasLayers())
+      {
+        const Vector3 half = HalfSidesAt(source.Grid, center);
+        this->HalfVoxelsAlongThird[p] = this->Unit[2] / half[2];
+        halfVoxels =
+          this->InMillimetersAlongAxes(points[p] - source.Grid.ToMillimeters(0.5 * halves))
+            .cwiseQuotient(half);
+      }
+      else
+      {
+        halfVoxels = 2.0 * source.Grid.ToVoxels(points[p]) - halves;
+      }
+      this->Octahedra[p] = { halfVoxels.cwiseQuotient(this->HalfVoxelsPerUnitAt(p)),
         NumberOfOdd(center) - Slack };
       if (!(halfVoxels.cwiseAbs().sum() <= this->Octahedra[p].Radius))
       {
@@ -99,9 +114,10 @@ void DisplacementSets::AddOctahedra(
 }
 
 //------------------------------------------------------------------------------
-Vector3 DisplacementSets::OntoFace(const Octahedron& octahedron, const Vector3& from) const
+Vector3 DisplacementSets::OntoFace(Index point, const Vector3& from) const
 {
-  return NearestInOctahedron(from, this->HalfVoxelsPerUnit, octahedron.Radius) -
+  const Octahedron& octahedron = this->Octahedra[point];
+  return NearestInOctahedron(from, this->HalfVoxelsPerUnitAt(point), octahedron.Radius) -
     octahedron.FromCenter;
 }
 
@@ -114,6 +130,7 @@ bool DisplacementSets::KeepsToOctahedron(Index point, const Vector3& millimeters
   }
   const Octahedron& octahedron = this->Octahedra[point];
   const Vector3 from = octahedron.FromCenter + this->FromMillimeters(millimeters);
-  return Dot(this->HalfVoxelsPerUnit, from.cwiseAbs()) <= octahedron.Radius + SlackOfRounding;
+  return Dot(this->HalfVoxelsPerUnitAt(point), from.cwiseAbs()) <=
+    octahedron.Radius + SlackOfRounding;
 }
 }

@@ -14,7 +14,8 @@
  * the octahedron alone limits points that have one.
  *
  * The sets contain 0. A projection onto a convex set never leads away from its points: in millimeters the octahedron after
- * the ball keeps to the ball; in half voxels the ball shortens, which keeps to the octahedron.
+ * the ball keeps to the ball; in half voxels the ball shortens, which keeps to the octahedron. Along the axes of a sheared grid
+ * the projection is not that of millimeters, so the ball shortens there, too. Its radius is in millimeters in any case.
  */
 #ifndef BoneDecimate_Core_Smoothing_DisplacementSets_h
 #define BoneDecimate_Core_Smoothing_DisplacementSets_h
@@ -46,8 +47,9 @@ public:
     {
       return this->ShortenedToBall(point, displacement);
     }
-    return this->InVoxels ? this->ShortenedToBall(point, this->OntoOctahedron(point, displacement))
-                          : this->OntoOctahedron(point, this->ShortenedToBall(point, displacement));
+    return this->InVoxels || this->IsSheared
+      ? this->ShortenedToBall(point, this->OntoOctahedron(point, displacement))
+      : this->OntoOctahedron(point, this->ShortenedToBall(point, displacement));
   }
 
   /// Whether a displacement in mm keeps to the octahedron, with an eighth of its slack for rounding; true without octahedra.
@@ -59,12 +61,12 @@ public:
   }
   Vector3 FromMillimeters(const Vector3& millimeters) const
   {
-    return (this->Axes.transpose() * millimeters).cwiseQuotient(this->Unit);
+    return this->InMillimetersAlongAxes(millimeters).cwiseQuotient(this->Unit);
   }
   /// FromMillimeters as a matrix.
   Eigen::Matrix3d UnitsOfMillimeters() const
   {
-    return this->Unit.cwiseInverse().asDiagonal() * this->Axes.transpose();
+    return this->Unit.cwiseInverse().asDiagonal() * this->InverseAxes;
   }
 
   double Radius(Index point) const { return this->Radii[point]; } ///< mm
@@ -82,7 +84,8 @@ private:
   Vector3 ShortenedToBall(Index point, const Vector3& displacement) const
   {
     const double radius = this->Radii[point];
-    const double squared = this->Unit.cwiseProduct(displacement).squaredNorm();
+    const double squared = this->IsSheared ? this->ToMillimeters(displacement).squaredNorm()
+                                           : this->Unit.cwiseProduct(displacement).squaredNorm();
     return squared <= radius * radius ? displacement
                                       : Vector3(radius / std::sqrt(squared) * displacement);
   }
@@ -90,16 +93,32 @@ private:
   {
     const Octahedron& octahedron = this->Octahedra[point];
     const Vector3 from = octahedron.FromCenter + displacement;
-    return Dot(this->HalfVoxelsPerUnit, from.cwiseAbs()) <= octahedron.Radius
+    return Dot(this->HalfVoxelsPerUnitAt(point), from.cwiseAbs()) <= octahedron.Radius
       ? displacement // bit for bit
-      : this->OntoFace(octahedron, from);
+      : this->OntoFace(point, from);
   }
   /// Of a position outside of the octahedron, from its center.
-  Vector3 OntoFace(const Octahedron& octahedron, const Vector3& from) const;
+  Vector3 OntoFace(Index point, const Vector3& from) const;
+
+  Vector3 HalfVoxelsPerUnitAt(std::size_t point) const
+  {
+    return this->HalfVoxelsAlongThird.empty()
+      ? this->HalfVoxelsPerUnit
+      : Vector3(this->HalfVoxelsPerUnit[0], this->HalfVoxelsPerUnit[1],
+          this->HalfVoxelsAlongThird[point]);
+  }
+  Vector3 InMillimetersAlongAxes(const Vector3& millimeters) const
+  {
+    return this->IsSheared ? Vector3(this->InverseAxes * millimeters)
+                           : Vector3(this->Axes.transpose() * millimeters);
+  }
 
   Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d InverseAxes = Eigen::Matrix3d::Identity();
+  bool IsSheared = false;
   Vector3 Unit = Vector3::Ones();              // mm
   Vector3 HalfVoxelsPerUnit = Vector3::Zero(); // with octahedra
+  std::vector<double> HalfVoxelsAlongThird; // of each point, where the distance of layers changes
   bool InVoxels = false;
   std::vector<double> Radii; // mm
   std::vector<Octahedron> Octahedra;

@@ -67,7 +67,7 @@ Eigen::Matrix3d ToUnits(const SmoothingInput& input, const SmoothingSettings& se
   }
   const VoxelGrid& grid = input.Source->Grid;
   const Vector3 unitsOfMillimeter = (0.5 * grid.Spacing).cwiseInverse();
-  return unitsOfMillimeter.asDiagonal() * grid.Direction.transpose();
+  return unitsOfMillimeter.asDiagonal() * grid.InverseDirection();
 }
 
 class Smoother

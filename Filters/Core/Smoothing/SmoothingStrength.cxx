@@ -116,7 +116,8 @@ double RatioToRounding(const StrengthProblem& problem, const std::vector<Vector3
         {
           const Vector3 n = normals[p] / length;
           const double along = Dot(n, moved[p] - points[p]);
-          const double edge = 0.5 * grid.Spacing[axis] * Dot(n, grid.Direction.col(axis));
+          const double half = HalfSidesAt(grid, problem.Source.OfPoint[p])[axis];
+          const double edge = half * Dot(n, grid.Direction.col(axis));
           squares += { along * along, edge * edge / 3.0 };
         }
       }

@@ -77,11 +77,11 @@ public:
       (this->Normal[0] == 0.0 ? 0.0 : this->Rest / this->Normal[0]);
   }
 
-  /// Whether the displaced voxel center lies below the triangle.
+  /// Whether the displaced voxel center at that coordinate lies below the triangle.
   bool LiesBelow(std::int64_t center) const
   {
     constexpr double rounding = 1e-14; // about 20 times that of the sums
-    const std::int64_t fromR = center * UnitsOfVoxel - this->Base;
+    const std::int64_t fromR = center - this->Base;
     const double r = static_cast<double>(fromR);
     const double height = this->Normal[0] * r + this->Rest;
     const double error = this->Magnitude[0] * std::abs(r) + this->RestMagnitude;
@@ -119,19 +119,39 @@ private:
   double RestMagnitude = 0.0;
 };
 
-std::int64_t HighestBelow(const TrianglePlane& plane, std::int64_t low, std::int64_t high)
+/// About where the plane is, between the bounds.
+std::int64_t GuessBelow(const TrianglePlane& plane, std::int64_t first, std::int64_t last,
+  const CenterLattice& lattice, std::size_t axis)
 {
-  const std::int64_t first = CenterAtOrAbove(low);
-  const std::int64_t last = CenterAtOrAbove(high) - 1; // a displaced center at the top is above
-  const double guess = std::floor(plane.Height() / static_cast<double>(UnitsOfVoxel));
-  std::int64_t below = guess < static_cast<double>(first) ? first - 1
-    : guess > static_cast<double>(last)                   ? last
-                                                          : static_cast<std::int64_t>(guess);
-  while (below < last && plane.LiesBelow(below + 1))
+  if (lattice.IsEven(axis))
+  {
+    const double guess = std::floor(plane.Height() / static_cast<double>(UnitsOfVoxel));
+    return guess < static_cast<double>(first) ? first - 1
+      : guess > static_cast<double>(last)     ? last
+                                              : static_cast<std::int64_t>(guess);
+  }
+  const double low = static_cast<double>(lattice.Coordinate(axis, first));
+  const double high = static_cast<double>(lattice.Coordinate(axis, last));
+  const double height = plane.Height();
+  return !(height >= low) ? first - 1
+    : height > high       ? last
+                          : lattice.AtOrBelow(axis, static_cast<std::int64_t>(height));
+}
+
+std::int64_t HighestBelow(const TrianglePlane& plane, std::int64_t low, std::int64_t high,
+  const CenterLattice& lattice, std::size_t axis)
+{
+  const std::int64_t first = lattice.AtOrAbove(axis, low);
+  const std::int64_t last =
+    lattice.AtOrAbove(axis, high) - 1; // a displaced center at the top is above
+  const auto liesBelow = [&](std::int64_t center)
+  { return plane.LiesBelow(lattice.Coordinate(axis, center)); };
+  std::int64_t below = GuessBelow(plane, first, last, lattice, axis);
+  while (below < last && liesBelow(below + 1))
   {
     ++below;
   }
-  while (below >= first && !plane.LiesBelow(below))
+  while (below >= first && !liesBelow(below))
   {
     --below;
   }
@@ -139,12 +159,14 @@ std::int64_t HighestBelow(const TrianglePlane& plane, std::int64_t low, std::int
 }
 }
 
-ColumnCrossing CrossColumn(const FixedTriangle& corners, const FixedBox& box, const Column& column)
+ColumnCrossing CrossColumn(const FixedTriangle& corners, const FixedBox& box, const Column& column,
+  const CenterLattice& lattice)
 {
   const Ordered order(column.Axis);
   const FixedPoint low = order(box.Low);
   const FixedPoint high = order(box.High);
-  const FixedPoint p = { low[0], column.S * UnitsOfVoxel, column.T * UnitsOfVoxel };
+  const FixedPoint p = { low[0], lattice.Coordinate((column.Axis + 1) % 3, column.S),
+    lattice.Coordinate((column.Axis + 2) % 3, column.T) };
   if (p[1] < low[1] || p[1] >= high[1] || p[2] < low[2] || p[2] > high[2])
   {
     return {};
@@ -158,6 +180,6 @@ ColumnCrossing CrossColumn(const FixedTriangle& corners, const FixedBox& box, co
     return {};
   }
   const TrianglePlane plane(a, b, c, p, side);
-  return { side, HighestBelow(plane, low[0], high[0]) };
+  return { side, HighestBelow(plane, low[0], high[0], lattice, column.Axis) };
 }
 }

@@ -19,7 +19,7 @@
 #ifndef BoneDecimate_Core_VoxelGuard_ColumnCrossing_h
 #define BoneDecimate_Core_VoxelGuard_ColumnCrossing_h
 
-#include "FixedPoint.h"
+#include "CenterLattice.h"
 
 namespace bonedecimate
 {
@@ -40,7 +40,8 @@ struct ColumnCrossing
 };
 
 /// @param box Of the triangle.
-ColumnCrossing CrossColumn(const FixedTriangle& corners, const FixedBox& box, const Column& column);
+ColumnCrossing CrossColumn(const FixedTriangle& corners, const FixedBox& box, const Column& column,
+  const CenterLattice& lattice = {});
 }
 
 #endif

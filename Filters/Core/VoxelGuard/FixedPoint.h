@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FixedPoint.h
- * @brief Voxel coordinates as integers of 2^-30 voxel: voxel centers are exact, and sums and differences are.
+ * @brief Steps of a grid (VoxelGrid.h) as integers of 2^-30 step: voxel centers are exact, and sums and differences are.
  */
 #ifndef BoneDecimate_Core_VoxelGuard_FixedPoint_h
 #define BoneDecimate_Core_VoxelGuard_FixedPoint_h
@@ -42,7 +42,7 @@ public:
     : Origin(grid.Origin)
     , UnitsPerMillimeter(
         (static_cast<double>(UnitsOfVoxel) * grid.Spacing.cwiseInverse()).asDiagonal() *
-        grid.Direction.transpose())
+        grid.InverseDirection())
   {
   }
 
@@ -98,17 +98,6 @@ struct FixedBox
       this->Low[k] -= by;
       this->High[k] += by;
     }
-  }
-  /// Planes of voxel centers across an axis.
-  std::int64_t NumberOfPlanes(std::size_t axis) const
-  {
-    return std::max<std::int64_t>(
-      0, CenterAtOrBelow(this->High[axis]) - CenterAtOrAbove(this->Low[axis]) + 1);
-  }
-  bool HasVoxelCenter() const
-  {
-    return this->NumberOfPlanes(0) > 0 && this->NumberOfPlanes(1) > 0 &&
-      this->NumberOfPlanes(2) > 0;
   }
   /// Of the longest side.
   std::int64_t Size() const

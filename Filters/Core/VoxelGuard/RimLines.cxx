@@ -9,7 +9,7 @@ namespace bonedecimate
 {
 namespace
 {
-using Plane = std::array<double, 2>; // voxels
+using Plane = std::array<double, 2>; // steps
 
 /// The part of a segment from a to b, by its parameter, that is nearer to the origin than the margin; empty: first > second.
 std::pair<double, double> PartNear(const Plane& a, const Plane& b, double margin)
@@ -27,15 +27,39 @@ std::pair<double, double> PartNear(const Plane& a, const Plane& b, double margin
   return { std::max(0.0, middle - half), std::min(1.0, middle + half) };
 }
 
-double InVoxels(std::int64_t coordinate, std::int64_t center)
+double InSteps(std::int64_t units)
 {
-  return static_cast<double>(coordinate - center * UnitsOfVoxel) /
-    static_cast<double>(UnitsOfVoxel);
+  return static_cast<double>(units) / static_cast<double>(UnitsOfVoxel);
+}
+
+/// Of the part of a line at these heights.
+struct HeightRange
+{
+  double Low;
+  double High;
+};
+
+/// The edges along the axis between two indices across it.
+void AddEdges(const GridEdge& first, const HeightRange& range, const CenterLattice& lattice,
+  std::vector<GridEdge>& edges)
+{
+  const auto floorOf = [&](double height)
+  {
+    return lattice.IsEven(first.Axis)
+      ? static_cast<std::int64_t>(std::floor(height))
+      : lattice.AtOrBelow(first.Axis,
+          static_cast<std::int64_t>(std::floor(height * static_cast<double>(UnitsOfVoxel))));
+  };
+  for (std::int64_t below = floorOf(range.Low); below <= floorOf(range.High); ++below)
+  {
+    edges.push_back(first);
+    edges.back().From[first.Axis] = below;
+  }
 }
 }
 
-void AddEdgesNear(
-  const FixedPoint& from, const FixedPoint& to, double margin, std::vector<GridEdge>& edges)
+void AddEdgesNear(const FixedPoint& from, const FixedPoint& to, double margin,
+  const CenterLattice& lattice, std::vector<GridEdge>& edges)
 {
   FixedBox box(from);
   box.Add(to);
@@ -44,27 +68,27 @@ void AddEdgesNear(
   {
     const std::size_t s = (r + 1) % 3;
     const std::size_t t = (r + 2) % 3;
-    for (std::int64_t i = CenterAtOrAbove(box.Low[s]); i <= CenterAtOrBelow(box.High[s]); ++i)
+    for (std::int64_t i = lattice.AtOrAbove(s, box.Low[s]); i <= lattice.AtOrBelow(s, box.High[s]);
+         ++i)
     {
-      for (std::int64_t j = CenterAtOrAbove(box.Low[t]); j <= CenterAtOrBelow(box.High[t]); ++j)
+      const std::int64_t atS = lattice.Coordinate(s, i);
+      for (std::int64_t j = lattice.AtOrAbove(t, box.Low[t]);
+           j <= lattice.AtOrBelow(t, box.High[t]); ++j)
       {
-        const auto [first, last] = PartNear({ InVoxels(from[s], i), InVoxels(from[t], j) },
-          { InVoxels(to[s], i), InVoxels(to[t], j) }, margin);
+        const std::int64_t atT = lattice.Coordinate(t, j);
+        const auto [first, last] = PartNear({ InSteps(from[s] - atS), InSteps(from[t] - atT) },
+          { InSteps(to[s] - atS), InSteps(to[t] - atT) }, margin);
         if (first > last)
         {
           continue;
         }
-        const double height = InVoxels(from[r], 0);
-        const double rise = InVoxels(to[r], 0) - height;
+        const double height = InSteps(from[r]);
+        const double rise = InSteps(to[r]) - height;
         const auto [low, high] = std::minmax({ height + first * rise, height + last * rise });
-        for (double below = std::floor(low); below <= high; ++below)
-        {
-          GridEdge edge = { r, {} };
-          edge.From[r] = static_cast<std::int64_t>(below);
-          edge.From[s] = i;
-          edge.From[t] = j;
-          edges.push_back(edge);
-        }
+        GridEdge edge = { r, {} };
+        edge.From[s] = i;
+        edge.From[t] = j;
+        AddEdges(edge, { low, high }, lattice, edges);
       }
     }
   }

@@ -11,7 +11,7 @@
 #ifndef BoneDecimate_Core_VoxelGuard_RimLines_h
 #define BoneDecimate_Core_VoxelGuard_RimLines_h
 
-#include "FixedPoint.h"
+#include "CenterLattice.h"
 
 #include <vector>
 
@@ -30,9 +30,9 @@ struct GridEdge
 };
 
 /// Adds the edges of the grid that are nearer to the line between two points than the margin.
-/// @param margin Voxels, less than 0.1.
-void AddEdgesNear(
-  const FixedPoint& from, const FixedPoint& to, double margin, std::vector<GridEdge>& edges);
+/// @param margin Steps, less than 0.1.
+void AddEdgesNear(const FixedPoint& from, const FixedPoint& to, double margin,
+  const CenterLattice& lattice, std::vector<GridEdge>& edges);
 }
 
 #endif

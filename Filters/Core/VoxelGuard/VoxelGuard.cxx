@@ -43,12 +43,17 @@ void AddEdge(std::vector<EdgeSum>& sums, Index from, Index to, Index label, int 
 /// Its memory stays from edit to edit.
 struct VoxelGuard::Pending : public EditFilter::Pending
 {
+  explicit Pending(const CenterLattice& lattice)
+    : Patch(lattice)
+  {
+  }
   VoxelPatch Patch;
 };
 
 VoxelGuard::VoxelGuard(VoxelGuardSettings settings)
   : Settings(std::move(settings))
   , Frame(this->Settings.Grid)
+  , Lattice(this->Settings.Grid)
 {
 }
 
@@ -61,7 +66,7 @@ bool VoxelGuard::ChecksBeforeBound(const VoxelGrid& grid, double error)
 //------------------------------------------------------------------------------
 std::shared_ptr<EditFilter::Pending> VoxelGuard::MakePending()
 {
-  return std::make_shared<Pending>();
+  return std::make_shared<Pending>(this->Lattice);
 }
 
 //------------------------------------------------------------------------------

@@ -15,8 +15,8 @@
 #ifndef BoneDecimate_Core_VoxelGuard_VoxelGuard_h
 #define BoneDecimate_Core_VoxelGuard_VoxelGuard_h
 
+#include "CenterLattice.h"
 #include "EditFilters/EditFilter.h"
-#include "FixedPoint.h"
 #include "LabelMap/VoxelGrid.h"
 #include "Mesh/PointRounding.h"
 
@@ -60,6 +60,7 @@ private:
 
   VoxelGuardSettings Settings;
   FixedPointFrame Frame;
+  CenterLattice Lattice;
 };
 }
 

@@ -16,19 +16,22 @@ namespace
 class CentersNear
 {
 public:
-  CentersNear(const FixedTriangle& corners, FixedBox box, double margin)
+  CentersNear(
+    const FixedTriangle& corners, FixedBox box, double margin, const CenterLattice& lattice)
     : Margin(margin)
+    , Lattice(lattice)
   {
     box.Grow(static_cast<std::int64_t>(std::ceil(margin * UnitsOfVoxel)) + 1);
-    this->IsEmpty = !box.HasVoxelCenter();
+    this->IsEmpty = !lattice.HasCenter(box);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const std::int64_t first = CenterAtOrAbove(box.Low[k]);
-      this->Planes[k] = box.NumberOfPlanes(k);
+      this->First[k] = lattice.AtOrAbove(k, box.Low[k]);
+      this->Planes[k] = lattice.NumberOfPlanes(box, k);
+      const std::int64_t first = lattice.Coordinate(k, this->First[k]);
       for (std::size_t i = 0; i < 3; ++i)
       {
         this->Corners[i][static_cast<Eigen::Index>(k)] =
-          static_cast<double>(corners[i][k] - first * UnitsOfVoxel) / UnitsOfVoxel;
+          static_cast<double>(corners[i][k] - first) / UnitsOfVoxel;
       }
     }
   }
@@ -51,13 +54,13 @@ public:
     {
       for (std::int64_t k = 0; k < this->Planes[static_cast<std::size_t>(t)]; ++k)
       {
-        center[s] = static_cast<double>(j);
-        center[t] = static_cast<double>(k);
+        center[s] = this->CoordinateOf(s, j);
+        center[t] = this->CoordinateOf(t, k);
         const double height = this->Corners[0][d] -
           (normal[s] * (center[s] - this->Corners[0][s]) +
             normal[t] * (center[t] - this->Corners[0][t])) /
             normal[d];
-        center[d] = std::floor(height + 0.5);
+        center[d] = this->NearestTo(d, height);
         if (std::abs(height - center[d]) <= thickness && this->IsNear(center))
         {
           return true;
@@ -68,6 +71,34 @@ public:
   }
 
 private:
+  /// Of a plane, from the first one.
+  double CoordinateOf(Eigen::Index axis, std::int64_t plane) const
+  {
+    const auto k = static_cast<std::size_t>(axis);
+    return this->Lattice.IsEven(k)
+      ? static_cast<double>(plane)
+      : static_cast<double>(this->Lattice.Coordinate(k, this->First[k] + plane) -
+          this->Lattice.Coordinate(k, this->First[k])) /
+        UnitsOfVoxel;
+  }
+
+  /// The plane that is nearest to a height.
+  double NearestTo(Eigen::Index axis, double height) const
+  {
+    const auto k = static_cast<std::size_t>(axis);
+    if (this->Lattice.IsEven(k))
+    {
+      return std::floor(height + 0.5);
+    }
+    double nearest = 0.0;
+    for (std::int64_t plane = 1; plane < this->Planes[k]; ++plane)
+    {
+      const double at = this->CoordinateOf(axis, plane);
+      nearest = std::abs(at - height) < std::abs(nearest - height) ? at : nearest;
+    }
+    return nearest;
+  }
+
   bool IsNear(const Vector3& center) const
   {
     const double squared =
@@ -77,8 +108,10 @@ private:
   }
 
   double Margin;
+  const CenterLattice& Lattice;
   bool IsEmpty = false;
-  std::array<Vector3, 3> Corners; // voxels, from the first center near the triangle
+  std::array<Vector3, 3> Corners;      // steps, from the first center near the triangle
+  std::array<std::int64_t, 3> First{}; // its index
   std::array<std::int64_t, 3> Planes{};
 };
 
@@ -95,6 +128,7 @@ void VoxelPatch::Clear()
 {
   this->Faces.clear();
   this->HasSeveralLabels = false;
+  this->IsMirrored = false;
   this->NearOldRim.clear();
   this->NearNewRim.clear();
 }
@@ -119,13 +153,13 @@ void VoxelPatch::AddNew(const FixedTriangle& corners, const BoundaryLabels& labe
 //------------------------------------------------------------------------------
 void VoxelPatch::AddOldRim(const FixedPoint& from, const FixedPoint& to, double margin)
 {
-  AddEdgesNear(from, to, margin, this->NearOldRim);
+  AddEdgesNear(from, to, margin, this->Lattice, this->NearOldRim);
 }
 
 //------------------------------------------------------------------------------
 void VoxelPatch::AddNewRim(const FixedPoint& from, const FixedPoint& to, double margin)
 {
-  AddEdgesNear(from, to, margin, this->NearNewRim);
+  AddEdgesNear(from, to, margin, this->Lattice, this->NearNewRim);
 }
 
 //------------------------------------------------------------------------------
@@ -156,9 +190,11 @@ bool VoxelPatch::KeepsLabels(bool isOpen)
     std::size_t longest = 0;
     for (std::size_t k = 1; k < 3; ++k)
     {
-      longest = box.NumberOfPlanes(k) > box.NumberOfPlanes(longest) ? k : longest;
+      longest = this->Lattice.NumberOfPlanes(box, k) > this->Lattice.NumberOfPlanes(box, longest)
+        ? k
+        : longest;
     }
-    return !box.HasVoxelCenter() || this->KeepsAlong(longest, box);
+    return !this->Lattice.HasCenter(box) || this->KeepsAlong(longest, box);
   }
   bool keeps = true;
   for (std::size_t octant = 0; octant < 8 && keeps; ++octant)
@@ -173,9 +209,10 @@ bool VoxelPatch::KeepsLabels(bool isOpen)
 }
 
 //------------------------------------------------------------------------------
-/// The lattice is its own mirror image; the displacement of its points is not.
+/// The displacement of voxel centers is not its own mirror image, nor are layers with positions of their own.
 void VoxelPatch::Mirror(std::size_t axis)
 {
+  this->IsMirrored = this->IsMirrored != (axis == 2);
   for (Face& face : this->Faces)
   {
     for (FixedPoint& corner : face.Corners)
@@ -192,10 +229,11 @@ bool VoxelPatch::KeepsAlong(std::size_t axis, const FixedBox& box)
 {
   const std::size_t s = (axis + 1) % 3;
   const std::size_t t = (axis + 2) % 3;
-  const std::int64_t firstS = CenterAtOrAbove(box.Low[s]);
-  const std::int64_t firstT = CenterAtOrAbove(box.Low[t]);
-  const std::int64_t across = box.NumberOfPlanes(s);
-  const std::int64_t count = across * box.NumberOfPlanes(t);
+  const CenterLattice& lattice = this->Centers();
+  const std::int64_t firstS = lattice.AtOrAbove(s, box.Low[s]);
+  const std::int64_t firstT = lattice.AtOrAbove(t, box.Low[t]);
+  const std::int64_t across = lattice.NumberOfPlanes(box, s);
+  const std::int64_t count = across * lattice.NumberOfPlanes(box, t);
   for (std::int64_t i = 0; i < count; ++i)
   {
     const std::int64_t at = (i + count / 2) % count;
@@ -213,7 +251,7 @@ bool VoxelPatch::KeepsColumn(const Column& column)
   this->Sums.clear();
   for (const Face& face : this->Faces)
   {
-    const ColumnCrossing crossing = CrossColumn(face.Corners, face.Box, column);
+    const ColumnCrossing crossing = CrossColumn(face.Corners, face.Box, column, this->Centers());
     if (crossing.Sign != 0)
     {
       const int count = face.Count * crossing.Sign;
@@ -247,8 +285,8 @@ void VoxelPatch::AddCrossing(std::int64_t below, Index label, int count)
 bool VoxelPatch::IsNearCenter(double margin) const
 {
   return std::any_of(this->Faces.begin(), this->Faces.end(),
-    [margin](const Face& face)
-    { return face.Count < 0 && CentersNear(face.Corners, face.Box, margin).Any(); });
+    [this, margin](const Face& face)
+    { return face.Count < 0 && CentersNear(face.Corners, face.Box, margin, this->Lattice).Any(); });
 }
 
 //------------------------------------------------------------------------------

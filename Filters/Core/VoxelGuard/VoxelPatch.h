@@ -25,6 +25,13 @@ namespace bonedecimate
 class VoxelPatch
 {
 public:
+  /// Voxel centers at every step, or on a lattice.
+  explicit VoxelPatch(const CenterLattice& lattice = {})
+    : Lattice(lattice)
+    , Mirrored(lattice.Mirrored())
+  {
+  }
+
   void Clear();
   void AddOld(const FixedTriangle& corners, const BoundaryLabels& labels);
   void AddNew(const FixedTriangle& corners, const BoundaryLabels& labels);
@@ -63,7 +70,11 @@ private:
   bool KeepsColumn(const Column& column);
   void AddCrossing(std::int64_t below, Index label, int count);
   void Mirror(std::size_t axis);
+  const CenterLattice& Centers() const { return this->IsMirrored ? this->Mirrored : this->Lattice; }
 
+  CenterLattice Lattice;
+  CenterLattice Mirrored;
+  bool IsMirrored = false; // along the third axis
   std::vector<Face> Faces;
   std::vector<Sum> Sums; // of one column
   std::vector<GridEdge> NearOldRim;

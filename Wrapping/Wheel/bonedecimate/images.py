@@ -23,4 +23,6 @@ def label_map_of(image: vtkImageData, name: str | None = None) -> LabelMap:
     direction = np.array([[matrix.GetElement(row, column) for column in range(3)] for row in range(3)])
     spacing = np.array(image.GetSpacing())
     origin = np.array(image.GetOrigin()) + direction @ (spacing * image.GetExtent()[::2])
-    return LabelMap(numbers(array).reshape(image.GetDimensions()[::-1]), spacing=spacing, origin=origin, direction=direction)
+    layers = image.GetFieldData().GetArray("VoxelGridLayers")
+    return LabelMap(numbers(array).reshape(image.GetDimensions()[::-1]), spacing=spacing, origin=origin, direction=direction,
+                    layers=None if layers is None else numbers(layers).reshape(-1))

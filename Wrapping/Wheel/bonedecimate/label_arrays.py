@@ -10,9 +10,10 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkTypeInt64Ar
 from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkPolyData
 
 from .polydata import Surface, new_array, numbers, surface_of
-from .voxels import LARGEST_COORDINATE, SurfaceSource, VoxelGrid, indices_of, values_in
+from .voxels import LARGEST_COORDINATE, LEAST_DETERMINANT, SurfaceSource, VoxelGrid, indices_of, values_in
 
 BOUNDARY_LABELS, GRID_POINT, LABEL_VALUES = "BoundaryLabels", "GridPoint", "LabelValues"
+LAYERS = "VoxelGridLayers"  # of the field data, if the distance of layers changes: mm from the first one
 # Of the field data: name, number of components.
 GRID = (("VoxelGridDimensions", 3), ("VoxelGridSpacing", 3), ("VoxelGridOrigin", 3), ("VoxelGridDirection", 9))
 
@@ -57,6 +58,10 @@ def add_grid(grid: VoxelGrid, data: vtkPolyData) -> None:
     _add(fields, vtkIntArray, "VoxelGridDimensions", np.array([grid.dimensions]))
     for name, values in (("Spacing", grid.spacing), ("Origin", grid.origin), ("Direction", grid.direction)):
         _add(fields, vtkDoubleArray, "VoxelGrid" + name, values.reshape(1, -1))
+    if grid.layers is None:
+        fields.RemoveArray(LAYERS)
+    else:
+        _add(fields, vtkDoubleArray, LAYERS, grid.layers.reshape(-1, 1))
 
 
 def _add(fields: vtkFieldData, kind, name: str, values: NDArray) -> None:
@@ -87,8 +92,14 @@ def _grid_of(fields: vtkFieldData) -> VoxelGrid | None:
     for is_valid, name, problem in (
             ((dimensions >= 1).all(), "Dimensions", "has a number that is not positive"),
             ((spacing > 0).all(), "Spacing", "has a number that is not positive"),
-            (np.abs(rows.T @ rows - np.eye(3)).max() <= 1e-6, "Direction", "does not have perpendicular unit vectors as columns")):
+            (np.abs((rows**2).sum(axis=0) - 1).max() <= 1e-6 and abs(np.linalg.det(rows)) >= LEAST_DETERMINANT, "Direction",
+             "does not have unit vectors that are not in one plane as columns")):
         if not is_valid:
             raise ValueError(f"the array VoxelGrid{name} {problem}")
-    return VoxelGrid(np.trunc(dimensions), spacing=spacing, origin=origin, direction=rows)
+    layers = _find(fields, LAYERS, 1, int(dimensions[2]))
+    try:
+        return VoxelGrid(np.trunc(dimensions), spacing=spacing, origin=origin, direction=rows,
+                         layers=None if layers is None else layers[:, 0])
+    except ValueError as problem:
+        raise ValueError(f"the array {LAYERS}: {problem}" if "layers" in str(problem) else str(problem)) from problem
 

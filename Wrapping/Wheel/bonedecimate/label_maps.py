@@ -65,6 +65,7 @@ def extract_surfaces(
     origin: Sequence[float] = (0, 0, 0),
     direction: ArrayLike = IDENTITY,
     affine: ArrayLike | None = None,
+    layers: Sequence[float] | None = None,
     labels: Iterable[int] | None = None,
     background: int = 0,
     closed: bool = True,
@@ -76,8 +77,8 @@ def extract_surfaces(
     Parameters
     ----------
     label_map : `LabelMap`, image of VTK, SimpleITK or nibabel, or (nz, ny, nx) array of whole numbers
-        An image is where it says, in LPS: see `LabelMap.from_image`. An array is made a `LabelMap` with axes, spacing, origin, direction and affine.
-    axes, spacing, origin, direction, affine
+        An image is where it says, in LPS: see `LabelMap.from_image`. An array is made a `LabelMap` with axes, spacing, origin, direction, affine and layers.
+    axes, spacing, origin, direction, affine, layers
         As `LabelMap` takes them: the order of the indices, and where the voxels are, mm. Of an array only.
     labels : whole numbers, optional
         The labels to extract; all others count as background. Default: all.
@@ -94,19 +95,19 @@ def extract_surfaces(
     TypeError
         Labels that are no numbers, options of a wrong type.
     ValueError
-        Shapes, labels with a fraction, spacings that are not positive, axes that are not perpendicular.
+        Shapes, labels with a fraction, spacings that are not positive, axes in one plane, layers that do not ascend from 0.
     Aborted
         The progress function returned False.
     """
     if not has_grid(label_map):
-        label_map = LabelMap(label_map, axes=axes, spacing=spacing, origin=origin, direction=direction, affine=affine)
-    elif axes is not None or affine is not None or not is_default(spacing, origin, direction):
-        raise ValueError("a LabelMap and an image have their own axes, spacing, origin and direction")
+        label_map = LabelMap(label_map, axes=axes, spacing=spacing, origin=origin, direction=direction, affine=affine, layers=layers)
+    elif axes is not None or affine is not None or layers is not None or not is_default(spacing, origin, direction):
+        raise ValueError("a LabelMap and an image have their own axes, spacing, origin, direction and layers")
     label_map = label_map_from(label_map, None)
     chosen, grid = chosen_labels(labels), label_map.grid
     with listener(progress) as heard:
         outcome = _core.extract_surfaces(
-            label_map.labels, grid.origin.tolist(), grid.spacing.tolist(), grid.direction.reshape(-1).tolist(), chosen,
+            label_map.labels, *grid.to_core(), chosen,
             label_value("background", background), switch("closed", closed), thread_count(threads), heard)
     if outcome["aborted"]:
         raise Aborted("the extraction was stopped")

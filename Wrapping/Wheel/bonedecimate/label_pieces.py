@@ -70,7 +70,7 @@ def change_pieces(
         ("island_size", island_size, "mm"), ("island_area", island_area, "mm2"), ("island_volume", island_volume, "mm3"))]
     changed = LabelMap.on(given.grid, given.labels.copy())
     removed, filled = _core.change_pieces(
-        changed.labels, given.grid.spacing.tolist(), chosen, nothing, islands, number("cavity_volume", cavity_volume, 0, 1e30, "mm3"))
+        changed.labels, *given.grid.to_core(), chosen, nothing, islands, number("cavity_volume", cavity_volume, 0, 1e30, "mm3"))
     warn([f"the largest piece of label {label} is below a limit of islands, too; it stays"
           for label, _pieces, _voxels, is_small in removed if is_small], 2)
     changes = {label: PieceChanges() for label in chosen}

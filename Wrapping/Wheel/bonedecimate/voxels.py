@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 IDENTITY = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 ORTHOGONAL, ORTHOGONAL_BUT_FOR_ROUNDING = 1e-14, 1e-3
+LEAST_DETERMINANT = 1e-3  # of unit vectors that are not in one plane
 LARGEST_FRACTION = 0.01  # of labels that were stored with a slope
 LARGEST_COORDINATE = 1e30  # mm, of the core
 LARGEST_DIMENSION = 2**30 - 2  # voxels
@@ -31,16 +32,18 @@ class VoxelGrid:
     dimensions: tuple[int, int, int]  #: number of voxels
     spacing: NDArray[np.float64]  #: (3,), mm
     origin: NDArray[np.float64]  #: (3,), mm, the center of the first voxel
-    direction: NDArray[np.float64]  #: (3, 3), the columns are the axes
+    direction: NDArray[np.float64]  #: (3, 3), the columns are the axes; not perpendicular if the gantry was tilted
+    #: (nz,), mm along the third axis, of each layer from the first one, or None; then the third of `spacing` is the least distance
+    layers: NDArray[np.float64] | None
 
     def __init__(self, dimensions: Sequence[int], *, spacing: Sequence[float] = (1, 1, 1), origin: Sequence[float] = (0, 0, 0),
-                 direction: ArrayLike = IDENTITY, affine: ArrayLike | None = None) -> None:
+                 direction: ArrayLike = IDENTITY, affine: ArrayLike | None = None, layers: Sequence[float] | None = None) -> None:
         """
         Parameters
         ----------
         dimensions : three whole numbers
             Number of voxels along x, y, z.
-        spacing, origin, direction, affine
+        spacing, origin, direction, affine, layers
             As `LabelMap` takes them.
 
         Raises
@@ -61,17 +64,37 @@ class VoxelGrid:
             raise ValueError("spacing has a number that is not positive, not finite or beyond 1e30 mm")
         if not (np.abs(self.origin) <= LARGEST_COORDINATE).all():
             raise ValueError("origin has a number that is not finite or beyond 1e30 mm")
-        self.direction = _orthogonal(numbers_of("direction", direction, 9).reshape(3, 3))
+        self.direction = _axes(numbers_of("direction", direction, 9).reshape(3, 3))
+        self.layers = None if layers is None else _ascending(layers, self.dimensions[2])
+        if self.layers is not None and len(self.layers) > 1:
+            self.spacing = np.append(self.spacing[:2], np.diff(self.layers).min())
 
     def is_same_as(self, other: VoxelGrid) -> bool:
         """But for rounding."""
         return self.dimensions == other.dimensions and all(
             np.allclose(one, two, rtol=1e-6, atol=1e-6 * self.spacing.min()) for one, two in
-            ((self.spacing, other.spacing), (self.origin, other.origin), (self.direction, other.direction)))
+            ((self.spacing, other.spacing), (self.origin, other.origin), (self.direction, other.direction),
+             (self._positions(), other._positions())))
 
     def to_voxels(self, points: NDArray) -> NDArray[np.float64]:
         """Voxel coordinates of positions in mm."""
-        return (points - self.origin) @ self.direction / self.spacing
+        is_orthogonal = np.abs(self.direction.T @ self.direction - np.eye(3)).max() <= 1e-6
+        inverse = self.direction.T if is_orthogonal else np.linalg.inv(self.direction)
+        voxels = (points - self.origin) @ inverse.T / self.spacing
+        if self.layers is not None and len(self.layers) > 1:
+            heights = voxels[..., 2] * self.spacing[2]
+            below = np.clip(np.searchsorted(self.layers, heights, "right") - 1, 0, len(self.layers) - 2)
+            voxels[..., 2] = below + (heights - self.layers[below]) / np.diff(self.layers)[below]
+        return voxels
+
+    def to_core(self) -> tuple[list[float], list[float], list[float], list[float]]:
+        """Origin, spacing, direction row by row and layers, as the core takes them."""
+        return (self.origin.tolist(), self.spacing.tolist(), self.direction.reshape(-1).tolist(),
+                [] if self.layers is None else self.layers.tolist())
+
+    def _positions(self) -> NDArray[np.float64]:
+        """mm, of all layers along the third axis."""
+        return self.layers if self.layers is not None else self.spacing[2] * np.arange(self.dimensions[2])
 
     def __repr__(self) -> str:
         size, spacing = (" x ".join(f"{value:g}" for value in values) for values in (self.dimensions, self.spacing))
@@ -85,7 +108,8 @@ class LabelMap:
     grid: VoxelGrid
 
     def __init__(self, labels: ArrayLike, *, axes: Literal["zyx", "xyz"] | None = None, spacing: Sequence[float] = (1, 1, 1),
-                 origin: Sequence[float] = (0, 0, 0), direction: ArrayLike = IDENTITY, affine: ArrayLike | None = None) -> None:
+                 origin: Sequence[float] = (0, 0, 0), direction: ArrayLike = IDENTITY, affine: ArrayLike | None = None,
+                 layers: Sequence[float] | None = None) -> None:
         """
         Parameters
         ----------
@@ -99,19 +123,24 @@ class LabelMap:
         spacing : three numbers, mm
             Of the voxels along x, y, z: ``GetSpacing()`` of SimpleITK.
         origin, direction : three numbers, mm; (3, 3) array, or nine numbers row by row
-            Center of the first voxel, and the axes as columns: ``GetOrigin()`` and ``GetDirection()``.
+            Center of the first voxel, and the axes as columns: ``GetOrigin()`` and ``GetDirection()``. Axes that are perpendicular but
+            for a cosine up to 0.001 are made perpendicular; others are those of a sheared grid, as of a tilted gantry, and stay.
         affine : (4, 4) array, optional
-            From voxels x, y, z to mm instead of these three: nibabel's ``image.affine``. Without shear.
+            From voxels x, y, z to mm instead of these three: nibabel's ``image.affine``.
+        layers : nz numbers, mm, optional
+            Where layers are along the third axis, from the first one, if their distance changes: 0, 4, 8, 15, 22. Then the third
+            number of spacing (or the length of the third axis of affine) does not count.
 
         Raises
         ------
         TypeError
             Labels that are no numbers.
         ValueError
-            Shapes, labels with a fraction, spacings that are not positive, axes that are not perpendicular.
+            Shapes, labels with a fraction, spacings that are not positive, axes in one plane, layers that do not ascend from 0.
         """
         self.labels = volume_from(labels, _axes_of(axes, affine))
-        self.grid = VoxelGrid(self.labels.shape[::-1], spacing=spacing, origin=origin, direction=direction, affine=affine)
+        self.grid = VoxelGrid(self.labels.shape[::-1], spacing=spacing, origin=origin, direction=direction, affine=affine,
+                              layers=layers)
 
     @classmethod
     def from_image(cls, image: vtkImageData | SimpleItkImage | NibabelImage) -> LabelMap:
@@ -187,9 +216,8 @@ class SurfaceSource(NamedTuple):
     grid_points: NDArray[np.int32] | None = None  # of each point
 
     def to_core(self) -> _core.LabelMapSource:
-        grid = self.grid
-        return _core.LabelMapSource(grid.origin.tolist(), grid.spacing.tolist(), grid.direction.reshape(-1).tolist(),
-                                    grid.dimensions, self.label_values.tolist(), self.boundary_labels, self.grid_points)
+        return _core.LabelMapSource(*self.grid.to_core(), self.grid.dimensions, self.label_values.tolist(),
+                                    self.boundary_labels, self.grid_points)
 
     def values_of(self, indices: NDArray) -> NDArray[np.int64]:
         """Labels, (m, 2), of what the core returns."""
@@ -286,15 +314,25 @@ def _rounded(volume: NDArray[np.floating]) -> NDArray[np.int64]:
     return whole.astype(np.int64)
 
 
-def _orthogonal(direction: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The nearest orthogonal matrix; itself if it is orthogonal."""
+def _axes(direction: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The nearest orthogonal matrix of one that is orthogonal but for rounding; itself if it is orthogonal or sheared."""
     deviation = np.abs(direction.T @ direction - np.eye(3)).max()
-    if not deviation <= ORTHOGONAL_BUT_FOR_ROUNDING:
-        raise ValueError("direction has no perpendicular unit vectors as columns")
     if deviation <= ORTHOGONAL:
         return direction
-    left, _stretch, right = np.linalg.svd(direction)
-    return left @ right
+    if deviation <= ORTHOGONAL_BUT_FOR_ROUNDING:
+        left, _stretch, right = np.linalg.svd(direction)
+        return left @ right
+    lengths = np.sqrt((direction**2).sum(axis=0))
+    if not (np.abs(lengths - 1) <= ORTHOGONAL_BUT_FOR_ROUNDING).all() or not abs(np.linalg.det(direction)) >= LEAST_DETERMINANT:
+        raise ValueError("direction has no unit vectors that are not in one plane as columns")
+    return direction / lengths
+
+
+def _ascending(layers: Sequence[float], count: int) -> NDArray[np.float64]:
+    positions = numbers_of("layers", layers, count)
+    if positions[0] != 0 or not (np.diff(positions) > 0).all() or not positions[-1] <= LARGEST_COORDINATE:
+        raise ValueError("layers do not ascend from 0, in mm")
+    return positions
 
 
 def _decomposed(affine: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LabelFieldOrder.h
+ * @brief Names and colors of labels in the order of the labels of a surface.
+ */
+#ifndef LabelFieldOrder_h
+#define LabelFieldOrder_h
+
+#include "LabelMap/VoxelGrid.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkDataArray.h"
+
+#include <cstdint>
+
+class vtkFieldData;
+
+namespace bonedecimate
+{
+/// Of an array of any type; of 64 bits it is exact, which a double is not beyond 2^53.
+inline std::int64_t LabelIn(vtkDataArray* array, vtkIdType tuple, int component)
+{
+  if (auto* exact = vtkAOSDataArrayTemplate<long long>::FastDownCast(array))
+  {
+    return exact->GetTypedComponent(tuple, component);
+  }
+  if (auto* exact = vtkAOSDataArrayTemplate<long>::FastDownCast(array))
+  {
+    return exact->GetTypedComponent(tuple, component);
+  }
+  return static_cast<std::int64_t>(array->GetComponent(tuple, component));
+}
+
+/// Brings LabelNames and LabelColors of the image, which are in the order of its LabelValues, into the order of the source's values.
+/// Rows of values that the image does not name are empty or 0. Without LabelValues in the image they are not changed.
+void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFieldData* output);
+}
+
+#endif
