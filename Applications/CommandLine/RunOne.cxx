@@ -15,6 +15,7 @@
 #include "InputHints.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "LeftOutCells.h"
 #include "OutputFiles.h"
 #include "OutputRounding.h"
 #include "PageSurfaces.h"
@@ -24,6 +25,7 @@
 #include "SegmentFiles.h"
 #include "SegmentOutput.h"
 #include "SegmentSurfaces.h"
+#include "SlabSource.h"
 #include "SlabbedRun.h"
 #include "StageClock.h"
 #include "Summary.h"
@@ -83,6 +85,10 @@ public:
         Reject(this->Path, bone.Problem);
       }
       this->Input = bone.Surface;
+      if (bone.Padding > 0)
+      {
+        AddLeftOutOfReader(PaddingLeftOut(bone.Padding), this->Input);
+      }
       this->VoxelSize = bone.VoxelSize;
       this->Remark = bone.Remark;
       if (!bone.Note.empty())

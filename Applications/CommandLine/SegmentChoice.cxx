@@ -251,6 +251,36 @@ std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
   return chosen;
 }
 
+//------------------------------------------------------------------------------
+std::vector<LeftOut> SegmentsLeftOut(const FoundSegments& segments,
+  const SegmentArguments& arguments, const std::vector<NamedLabel>& chosen)
+{
+  if (LowerCase(arguments.Choice) == "all")
+  {
+    return {};
+  }
+  std::vector<NamedLabel> others = segments.Present;
+  if (segments.AreDescribed) // those that were not chosen have not been read
+  {
+    others.insert(others.end(), segments.Empty.begin(), segments.Empty.end());
+  }
+  const auto isChosen = [&chosen](const NamedLabel& segment)
+  {
+    return std::any_of(chosen.begin(), chosen.end(),
+      [&segment](const NamedLabel& one) { return one.Value == segment.Value; });
+  };
+  others.erase(std::remove_if(others.begin(), others.end(), isChosen), others.end());
+  std::vector<LeftOut> leftOut;
+  if (!others.empty())
+  {
+    leftOut.push_back({ "segments", static_cast<std::int64_t>(others.size()),
+      others.size() == 1 ? "segment that was not chosen" : "segments that were not chosen",
+      LabelText(others.front()) });
+  }
+  return leftOut;
+}
+
+//------------------------------------------------------------------------------
 SegmentSelection SelectionOf(const SegmentArguments& arguments)
 {
   const std::string word = LowerCase(arguments.Choice);

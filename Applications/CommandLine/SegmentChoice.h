@@ -9,6 +9,7 @@
 
 #include "Labels/LabelTable.h"
 #include "NamedLabels.h"
+#include "Report/LeftOut.h"
 #include "SegmentArguments.h"
 #include "SegmentSelection.h"
 
@@ -60,6 +61,10 @@ FoundSegments FindSegments(
  */
 std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
   const SegmentArguments& arguments, const std::string& path, std::vector<std::string>& warnings);
+
+/// The segments that were not chosen, as the report lists what was left out; none if there are none.
+std::vector<LeftOut> SegmentsLeftOut(const FoundSegments& segments,
+  const SegmentArguments& arguments, const std::vector<NamedLabel>& chosen);
 
 /// The same before anything is read, so that segments which were not chosen cover none of the others.
 SegmentSelection SelectionOf(const SegmentArguments& arguments);

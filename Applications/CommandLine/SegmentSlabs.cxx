@@ -137,9 +137,15 @@ void SegmentSlabs::Choose(const std::set<std::int64_t>& labels, vtkFieldData* fi
   this->Remark = found.Note;
   WriteNamedLabels(found.Present, this->Fields);
   std::vector<std::string> warnings;
-  for (const NamedLabel& label : ChooseSegments(found, this->Requested.Segments, path, warnings))
+  const std::vector<NamedLabel> chosen =
+    ChooseSegments(found, this->Requested.Segments, path, warnings);
+  for (const NamedLabel& label : chosen)
   {
     this->Map.Values.push_back(label.Value);
+  }
+  for (LeftOut& entry : SegmentsLeftOut(found, this->Requested.Segments, chosen))
+  {
+    this->NotChosen.push_back({ std::move(entry), {} });
   }
   for (const std::string& warning : warnings)
   {
@@ -175,7 +181,7 @@ SlabAxis SegmentSlabs::GetAxis() const
 
 SlabInputs SegmentSlabs::GetInputs() const
 {
-  return { true, this->Map, {} };
+  return { true, this->Map, this->NotChosen };
 }
 
 //------------------------------------------------------------------------------

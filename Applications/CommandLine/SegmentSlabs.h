@@ -46,7 +46,8 @@ private:
   std::string Problem;
   std::string Note;
   std::string Remark;
-  LabelMapSource Map; ///< Its grid and its values; mm.
+  std::vector<LeftOutShape> NotChosen; ///< Segments that were not chosen.
+  LabelMapSource Map;                  ///< Its grid and its values; mm.
   vtkNew<vtkFieldData> Fields;
   std::size_t BytesInALayer = 0;
   bool ReadsWhole = false;

@@ -4,6 +4,7 @@
 
 #include "FilterRun.h"
 #include "LabelMapArguments.h"
+#include "LeftOutCells.h"
 #include "NamedLabels.h"
 #include "SegmentChoice.h"
 
@@ -33,6 +34,10 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
   }
   AcceptMessages(UpdateFilter(extraction, Progress::Hidden), path, warnings);
   segments.Surface = extraction->GetOutput();
+  for (const LeftOut& entry : SegmentsLeftOut(found, arguments.Segments, chosen))
+  {
+    AddLeftOutOfReader(entry, segments.Surface);
+  }
   return segments;
 }
 

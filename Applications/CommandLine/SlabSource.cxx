@@ -39,6 +39,10 @@ public:
   {
     SlabInputs inputs;
     inputs.InputIsSingle = true; // as flying edges makes them
+    if (const std::int64_t padding = this->Bone.GetPadding(); padding > 0)
+    {
+      inputs.LeftOut.push_back({ PaddingLeftOut(padding), {} });
+    }
     return inputs;
   }
   std::size_t Divide(std::int64_t triangles, std::int64_t largestBytes) override
@@ -65,6 +69,16 @@ private:
 };
 }
 
+LeftOut PaddingLeftOut(std::int64_t voxels)
+{
+  LeftOut entry;
+  entry.Kind = "padding";
+  entry.Count = voxels;
+  entry.What = voxels == 1 ? "voxel that was not measured" : "voxels that were not measured";
+  return entry;
+}
+
+//------------------------------------------------------------------------------
 std::unique_ptr<SlabSource> MakeSlabSource(const Arguments& arguments)
 {
   if (arguments.Segments.IsRequested())

@@ -60,6 +60,9 @@ public:
   virtual void AddArrays(const Result& result, vtkPolyData* surface) const = 0;
 };
 
+/// What the report says of voxels that the scanner did not measure.
+LeftOut PaddingLeftOut(std::int64_t voxels);
+
 /// That of the arguments, which have --iso or --segments. @throws Failure
 std::unique_ptr<SlabSource> MakeSlabSource(const Arguments& arguments);
 }

@@ -37,6 +37,8 @@ public:
   const std::string& GetProblem() const { return this->Problem; }
   const std::string& GetNote() const { return this->Note; }
   const std::string& GetRemark() const { return this->Remark; }
+  /// BoneSurface::Padding
+  std::int64_t GetPadding() const { return this->View.Count(); }
   double GetVoxelSize() const; ///< mm, the least side.
   std::int64_t GetNumberOfLayers() const { return this->Size[2]; }
   std::int64_t GetBytesOfVoxels() const; ///< In memory.

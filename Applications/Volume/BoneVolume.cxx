@@ -42,6 +42,7 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
     if (view.HasPadding())
     {
       view.Clear(volume);
+      bone.Padding = view.Count();
       AppendNote(bone.Note, view.Note());
     }
   }

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -54,11 +55,12 @@ inline constexpr const char* NoSeriesReason = "it has no series ";
 struct BoneSurface
 {
   vtkSmartPointer<vtkPolyData>
-    Surface;              ///< mm, patient coordinates of the file (LPS); null if rejected.
-  double VoxelSize = 0.0; ///< mm, the least side of its voxels.
-  std::string Problem;    ///< Why it was rejected; empty if it was not.
-  std::string Note;       ///< What of the input was left aside, for the user; may be empty.
-  std::string Remark;     ///< What was done as the user wants it; may be empty.
+    Surface;                ///< mm, patient coordinates of the file (LPS); null if rejected.
+  double VoxelSize = 0.0;   ///< mm, the least side of its voxels.
+  std::int64_t Padding = 0; ///< Voxels above the value that were not measured and are no bone.
+  std::string Problem;      ///< Why it was rejected; empty if it was not.
+  std::string Note;         ///< What of the input was left aside, for the user; may be empty.
+  std::string Remark;       ///< What was done as the user wants it; may be empty.
 };
 
 /// How the values of a volume are taken that look like the labels of a segmentation.

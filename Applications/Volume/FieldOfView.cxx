@@ -175,6 +175,19 @@ void FieldOfView::Clear(const Volume& slab) const
   }
 }
 
+std::int64_t FieldOfView::Count() const
+{
+  if (!this->HasPadding())
+  {
+    return 0;
+  }
+  const std::size_t outside = this->FirstOutside();
+  const auto inLayer = std::count_if(this->RingOf.begin(), this->RingOf.end(),
+    [outside](std::uint32_t ring) { return ring >= outside; });
+  const auto all = static_cast<std::int64_t>(this->RingOf.size());
+  return (this->Layers - this->EmptyLayers) * inLayer + this->EmptyLayers * all;
+}
+
 std::string FieldOfView::Note() const
 {
   if (!this->HasPadding())
@@ -182,10 +195,7 @@ std::string FieldOfView::Note() const
     return std::string();
   }
   const std::size_t outside = this->FirstOutside();
-  const auto inLayer = std::count_if(this->RingOf.begin(), this->RingOf.end(),
-    [outside](std::uint32_t ring) { return ring >= outside; });
-  const auto all = static_cast<std::int64_t>(this->RingOf.size());
-  const std::int64_t count = (this->Layers - this->EmptyLayers) * inLayer + this->EmptyLayers * all;
+  const std::int64_t count = this->Count();
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << count << " of its voxels, all outside of a circle with a radius of "

@@ -45,6 +45,9 @@ public:
   /// Writes the least measured value to the padding of the volume or a slab.
   void Clear(const Volume& slab) const;
 
+  /// Voxels that are padding.
+  std::int64_t Count() const;
+
   /// What was cleared, for the user; empty if there is no padding.
   std::string Note() const;
 

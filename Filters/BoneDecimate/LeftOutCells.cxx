@@ -110,6 +110,10 @@ std::vector<LeftOutShape> FindLeftOut(
 //------------------------------------------------------------------------------
 void AddLeftOutOfReader(const LeftOut& entry, vtkPolyData* surface)
 {
+  if (entry.Count == 0)
+  {
+    return;
+  }
   vtkFieldData* const fieldData = surface->GetFieldData();
   auto* array = vtkStringArray::SafeDownCast(fieldData->GetAbstractArray(ArrayName));
   vtkNew<vtkStringArray> added; // arrays of other surfaces are shared, and not to be changed

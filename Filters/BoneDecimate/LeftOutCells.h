@@ -25,7 +25,7 @@ namespace bonedecimate
 std::vector<LeftOutShape> FindLeftOut(
   vtkPolyData* input, const std::vector<Vector3>& points, const TriangulatedCells& cells);
 
-/// Adds an entry of a reader; its distance is not known.
+/// Adds an entry of a reader, unless its count is 0; its distance is not known.
 void AddLeftOutOfReader(const LeftOut& entry, vtkPolyData* surface);
 
 std::vector<LeftOut> LeftOutOfReader(vtkPolyData* surface);

@@ -6,6 +6,7 @@
 
 #include "FileChecks.h"
 #include "GlbFiles.h"
+#include "LeftOutCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -206,6 +207,8 @@ private:
     const Json& root = this->Document.Root();
     const std::size_t meshes = root.contains("meshes") ? root.at("meshes").size() : 0;
     const std::size_t unused = meshes - std::min(meshes, this->UsedMeshes.size());
+    this->Scene.HiddenNodes = this->Hidden;
+    this->Scene.UnusedMeshes = static_cast<std::int64_t>(this->Hidden == 0 ? unused : 0);
     if (this->Hidden > 0)
     {
       this->Scene.Warnings.push_back(std::to_string(this->Hidden) +
@@ -299,6 +302,19 @@ std::array<double, 3> GltfTransform::OfNormal(const std::array<double, 3>& norma
 GltfScene ReadScene(const GltfDocument& document)
 {
   return SceneReader(document).Run();
+}
+
+//------------------------------------------------------------------------------
+void ListLeftOut(const GltfScene& scene, std::int64_t primitives, vtkPolyData* surface)
+{
+  const auto add = [surface](
+                     std::int64_t count, const char* kind, const char* one, const char* several) {
+    AddLeftOutOfReader({ kind, count, count == 1 ? one : several, {} }, surface);
+  };
+  add(scene.HiddenNodes, "objects", "node that is not visible", "nodes that are not visible");
+  add(scene.UnusedMeshes, "objects", "mesh that the scene does not use",
+    "meshes that the scene does not use");
+  add(primitives, "lines", "primitive of points or lines", "primitives of points or lines");
 }
 }
 

@@ -9,7 +9,10 @@
 
 #include "GltfDocument.h"
 
+#include "vtkPolyData.h"
+
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -40,11 +43,16 @@ struct GltfScene
   std::vector<GltfInstance> Instances;
   bool IsInMillimeters =
     false; ///< Written by this program: below the node of its frame (GlbFiles.h).
+  std::int64_t HiddenNodes = 0;      ///< Marked as not visible.
+  std::int64_t UnusedMeshes = 0;     ///< Of no node; not counted if there are hidden ones.
   std::vector<std::string> Warnings; ///< What the scene leaves aside, a sentence each.
 };
 
 /// @throws Failure(ExitCode::InputRejected), Json::exception
 GltfScene ReadScene(const GltfDocument& document);
+
+/// Tells the surface what of its file is no part of it (LeftOutCells.h).  @param primitives Of points or lines.
+void ListLeftOut(const GltfScene& scene, std::int64_t primitives, vtkPolyData* surface);
 }
 
 #endif

@@ -104,6 +104,7 @@ public:
     }
     this->Warn(warnings);
     const vtkSmartPointer<vtkPolyData> surface = JoinParts(this->Parts);
+    ListLeftOut(this->Scene, this->NoTriangles, surface);
     SetFileUnit(this->Scene.IsInMillimeters ? "mm" : "m", surface);
     return surface;
   }

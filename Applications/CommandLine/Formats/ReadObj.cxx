@@ -4,6 +4,7 @@
 /// Not read by VTK, whose reader rounds coordinates to single precision.
 #include "FileChecks.h"
 #include "FileFrame.h"
+#include "LeftOutCells.h"
 #include "LineReader.h"
 #include "ObjCells.h"
 #include "Options/Text.h"
@@ -72,7 +73,13 @@ public:
       }
     }
     this->Warn(warnings);
-    return SurfaceOf(this->Content);
+    const vtkSmartPointer<vtkPolyData> surface = SurfaceOf(this->Content);
+    AddLeftOutOfReader(
+      { "lines_of_file", this->CurvesLeftOut,
+        this->CurvesLeftOut == 1 ? "line of curves in the file" : "lines of curves in the file",
+        {} },
+      surface);
+    return surface;
   }
 
 private:

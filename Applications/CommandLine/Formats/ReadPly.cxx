@@ -5,6 +5,7 @@
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
 #include "FileFrame.h"
+#include "LeftOutCells.h"
 #include "PlyArrays.h"
 #include "PlyElementReader.h"
 #include "SurfaceReaders.h"
@@ -190,6 +191,10 @@ private:
     {
       this->ReadElement(element, i);
     }
+    const std::string name = "'" + PrintableText(element.Name) + "'";
+    AddLeftOutOfReader(
+      { "elements", element.Count, (element.Count == 1 ? "element " : "elements ") + name, {} },
+      this->Surface);
     if (element.Count > 0)
     {
       warnings.push_back("the " + std::to_string(element.Count) + " elements '" +

@@ -6,6 +6,7 @@
 #include "FileChecks.h"
 #include "FileParts.h"
 #include "FilePath.h"
+#include "LeftOutCells.h"
 #include "ThreeMfFiles.h"
 #include "ThreeMfModel.h"
 
@@ -63,8 +64,9 @@ public:
         this->UsedObjects.insert({ this->KeyOf(item, start), item.Object });
       }
     }
-    this->Warn(warnings);
-    return JoinParts(this->Parts);
+    const vtkSmartPointer<vtkPolyData> surface = JoinParts(this->Parts);
+    this->Warn(warnings, surface);
+    return surface;
   }
 
 private:
@@ -212,7 +214,7 @@ private:
     return what.rfind(many, 0) == 0 ? "that is" + what.substr(many.size()) : what;
   }
 
-  void Warn(std::vector<std::string>& warnings) const
+  void Warn(std::vector<std::string>& warnings, vtkPolyData* surface) const
   {
     std::int64_t notBuilt = 0;
     for (const auto& [name, part] : this->Models)
@@ -230,15 +232,18 @@ private:
     };
     for (const auto& [count, what] : lines)
     {
+      const std::string objects = count == 1 ? std::string("object of the input ") + OneOf(what)
+                                             : std::string("objects of the input ") + what;
+      AddLeftOutOfReader({ "objects", count, objects, {} }, surface);
       if (count > 0)
       {
-        warnings.push_back(std::to_string(count) + (count == 1 ? " object" : " objects") +
-          " of the input " + (count == 1 ? OneOf(what) : what) +
-          (count == 1 ? " is not read" : " are not read"));
+        warnings.push_back(
+          std::to_string(count) + " " + objects + (count == 1 ? " is not read" : " are not read"));
       }
     }
     if (this->HasBeams)
     {
+      AddLeftOutOfReader({ "beams", 1, "or more beam lattices of the input", {} }, surface);
       warnings.emplace_back("the beam lattices of the input are not read");
     }
     if (this->HasSlices)
