@@ -90,7 +90,7 @@ std::vector<std::string> InputHints(vtkPolyData* result, vtkPolyData* input, int
     hints.push_back(GroupedText(static_cast<double>(unwelded.Count)) +
       " points lie apart from others by less than " + length +
       " mm, so that triangles are not connected; --weld " + length +
-      " (WeldDistance) joins them, and its movement is part of the largest error");
+      " (WeldDistance) joins such points, and its movement is part of the largest error");
   }
   const Finding insideOut = FindingOf(diagnostics, "inside_out");
   if (insideOut.Count > 0)
