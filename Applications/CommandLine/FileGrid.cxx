@@ -84,8 +84,8 @@ void AddGlbCompression(
         given(value);
       },
       WrappedHelp("Outputs in glb: none, which every program reads that reads glb, or meshopt "
-                  "(EXT_meshopt_compression), a fifth to a quarter of the bytes, which web viewers "
-                  "read; default none."))
+                  "(EXT_meshopt_compression), about a third of the bytes, which web viewers read; "
+                  "default none."))
     ->type_name("none|meshopt")
     ->check(OneOf("none|meshopt"));
 }

@@ -11,7 +11,9 @@
 #include "StageClock.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace bonedecimate
@@ -175,6 +177,15 @@ private:
   std::vector<double> Tolerances;
 };
 
+/// At least the length, with three digits.
+std::string RoundedUp(double length)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(length)) - 2.0);
+  std::array<char, 32> text = {};
+  std::snprintf(text.data(), text.size(), "%.3g", std::ceil(length / unit) * unit);
+  return text.data();
+}
+
 /// Why the run cannot weld; empty: it can.
 std::string ConflictOf(const Options& options, const RunInputs& inputs)
 {
@@ -225,7 +236,7 @@ std::vector<std::string> WeldSentences(const WeldFigures& figures)
       ? std::string(
           "no point was welded: no edges of open boundaries are near enough to each other")
       : std::to_string(figures.Points) + (figures.Points == 1 ? " point was" : " points were") +
-        " welded onto others and moved by up to " + NumberText(figures.Movement) +
+        " welded onto others and moved by up to " + RoundedUp(figures.Movement) +
         " mm, which the largest error includes" };
 }
 }

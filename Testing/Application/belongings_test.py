@@ -185,7 +185,7 @@ class Belongings(ApplicationTest):
         rng = np.random.default_rng(1)
         cases = {
             "the surface is double-sided": np.concatenate([faces, faces[:, ::-1]]),
-            "joins them, and its movement is part of the largest error": faces + rng.uniform(-1e-5, 1e-5, faces.shape),
+            "joins such points, and its movement is part of the largest error": faces + rng.uniform(-1e-5, 1e-5, faces.shape),
             "inside out": faces[:, ::-1],
         }
         for sentence, corners in cases.items():

@@ -270,6 +270,9 @@ class GlbInput(ApplicationTest):
         changed("which is not known", accessors__0__type="MAT9")
         changed("its JSON is damaged", meshes__0__primitives=[{}])
         glb = self.plain()
+        glb.document["extras"] = [{}] * 4000000
+        self.reject(glb, "its JSON takes more than 500 MB")
+        glb = self.plain()
         glb.document["nodes"] = [{"mesh": 0} for _ in range(200000)]
         glb.document["scenes"][0]["nodes"] = list(range(200000))
         glb.document["meshes"][0]["primitives"] *= 1000

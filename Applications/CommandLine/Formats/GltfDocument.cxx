@@ -8,6 +8,7 @@
 #include "FilePath.h"
 #include "GlbFiles.h"
 #include "GltfBytes.h"
+#include "GltfJson.h"
 #include "MeshoptStreams.h"
 
 #include <algorithm>
@@ -89,10 +90,10 @@ void GltfDocument::Split()
     this->Binary = kind == BinaryChunk && this->Binary.empty() ? chunk : this->Binary;
     at += ChunkBytes + chunk.size();
   }
-  constexpr std::size_t mostJson = 1U << 25; // parsed, it takes up to thirty times as much
-  if (json.size() > mostJson)
+  constexpr std::size_t mostForJson = 500000000; // bytes, half of what is allowed
+  if (!FitsJson(json, mostForJson))
   {
-    this->Fail("its JSON has more than 32 MB; points and triangles belong into the binary part");
+    this->Fail("its JSON takes more than 500 MB; points and triangles belong into the binary part");
   }
   this->Document = Json::parse(json, nullptr, false);
   if (!this->Document.is_object())

@@ -176,6 +176,7 @@ private:
     const FilePart& part, std::vector<GlbAttribute>& attributes, std::string& indices)
   {
     std::vector<PointStream> streams;
+    streams.reserve(attributes.size());
     for (const GlbAttribute& attribute : attributes)
     {
       streams.push_back(attribute.Stream);

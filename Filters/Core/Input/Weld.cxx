@@ -45,13 +45,18 @@ public:
   void VisitNear(const Vector3& point, const Visit& visit) const
   {
     const std::array<double, 3> cell = this->CellOf(point);
-    for (int i = 0; i < 27; ++i)
+    for (const double x : { -1.0, 0.0, 1.0 })
     {
-      const auto found = this->Cells.find(
-        HashOf({ cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1 }));
-      if (found != this->Cells.end())
+      for (const double y : { -1.0, 0.0, 1.0 })
       {
-        std::for_each(found->second.begin(), found->second.end(), visit);
+        for (const double z : { -1.0, 0.0, 1.0 })
+        {
+          const auto found = this->Cells.find(HashOf({ cell[0] + x, cell[1] + y, cell[2] + z }));
+          if (found != this->Cells.end())
+          {
+            std::for_each(found->second.begin(), found->second.end(), visit);
+          }
+        }
       }
     }
   }
@@ -255,6 +260,7 @@ private:
   void LeaveUnjoined()
   {
     std::vector<std::pair<Edge, Edge>> byLeaders; // of each boundary edge its leaders and its ends
+    byLeaders.reserve(this->Boundary.size());
     for (const Edge& edge : this->Boundary)
     {
       byLeaders.emplace_back(EdgeOf(this->Leader[edge[0]], this->Leader[edge[1]]), edge);
