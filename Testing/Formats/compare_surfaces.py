@@ -172,11 +172,15 @@ def analyze(table, all_results, grammar):
         print(f"\n{reader}: {kind}, {len(members)} variants")
         failing = {id(v) for v, kinds in all_results[reader] if kinds[0]}
         everything = [v for v, _ in all_results[reader]]
+        unknown = 0
         while members:
             variant, found = members[0]
             keys = predictors_of(unusual(variant), everything, failing)
             key = max(keys, key=lambda k: sum(has(v, k) for v, _ in members), default=None)
             covered = [m for m in members if key and has(m[0], key)] or members[:1]
+            unknown += not key
+            if unknown > 5:
+                break
             error = str(found.get("error"))[:110].replace("\n", " ").replace(str(variant.path), "")
             print("   ", dict(key) if key else ("?", dict(unusual(variant))), len(covered), variant.path.name, error if kind == "rejected" else "")
             members = [m for m in members if m not in covered]
