@@ -48,9 +48,14 @@ OBJ = [
     *each("obj", ("assimp",), {"corner": ("v/0/vn", "v/0/0")}, "does not take 0 for no index"),
     *each("obj", ("assimp",), {"colors": ("weight",)}, "divides points by their weight, which polygons do not have"),
     *each("obj", ("assimp",), {"colors": ("with alpha",)}, "does not take seven numbers"),
+    *each("obj", ("vtk of PyPI", "trimesh", "assimp"), {"colors": ("to 255",)}, "clamp colors between 0 and 255 to 1, or divide none or all of them by 255", ("colors",)),
+    *each("obj", ("vtk of Debian", "vtk of PyPI", "pymeshlab", "assimp"), {"texture numbers": (1,)}, "do not take a texture coordinate of one number"),
+    *each("obj", ("vtk of PyPI",), {"numbers": ("plus",)}, "does not take the sign +"),
+    *each("obj", ("assimp",), {"display": ("yes",)}, "takes `bevel` and `lod` for other keywords"),
+    *each("obj", ("trimesh",), {"indices": ("negative", "both")}, "counts negative indices from the last vertex of the file"),
     *each("obj", ("assimp",), {"others": ("line", "point", "both")}, "its Python package gives no mesh that has lines or points"),
     *each("obj", ("pymeshlab", "trimesh"), {"order": ("faces first",)}, "take no vertex that comes behind its face"),
-    *each("obj", VTK, {"materials": ("two", "before vertices", "library of two files")}, "number materials otherwise than they name them", ("array MaterialIds", "uv")),
+    *each("obj", VTK, {"materials": ("one", "two", "blank in the name", "before vertices", "library of two files")}, "number materials otherwise than they name them", ("array MaterialIds", "uv")),
 ]
 
 STL = [
@@ -72,20 +77,41 @@ STL_BINARY = [
     *each("stl_binary", ("pymeshlab",), {"attributes": ("Magics", "Magics for some", "Magics for none", "VisCAM", "VisCAM for some")}, "makes 248 of the largest of five bits, takes red of Magics for blue and knows no color for all", ("colors",)),
 ]
 
+BINARY = ("binary_little_endian", "binary_big_endian")
 PLY = [
     *each("ply", (*VTK, "pymeshlab", "assimp"), {"mark": ("yes",)}, "reject a byte-order mark"),
+    *each("ply", (*VTK, "pymeshlab", "assimp"), {"element order": ("face first",)}, "take vertices first alone"),
+    *each("ply", (*VTK, "trimesh", "pymeshlab"), {"strips": ("one list", "restarts")}, "do not know strips"),
+    *each("ply", ("assimp",), {"strips": ("one list", "restarts")}, "takes strips for polygons, or ends their list at the first -1"),
+    *each("ply", VTK, {"elements": ("edge first",)}, "take the first bytes of other elements for vertices"),
+    *each("ply", (*VTK, "trimesh", "pymeshlab"), {"line end": ("CR",)}, "a header of CR alone is one line to them"),
+    *each("ply", (*VTK, "trimesh", "pymeshlab"), {"layout": ("blank lines",)}, "take a blank line for an element"),
+    *each("ply", (*VTK, "trimesh", "pymeshlab", "assimp"), {"layout": ("broken lines",)}, "take numbers wherever lines end; ours has an element a line, so that a line that was cut off is found", ("not rejected",)),
+    *each("ply", VTK, {"colors": ("float",)}, "take real numbers for bytes", ("colors",)),
+    *each("ply", ("pymeshlab",), {"index type": ("char", "uchar", "short", "ushort", "uint"), "count type": ("short", "ushort", "uint")}, "does not read these types in lists of corners, or not always"),
+    *each("ply", ("vtk of Debian",), {"last line": ("without end",)}, "does not take a last line without its end"),
+    *each("ply", ("vtk of PyPI",), {"numbers": ("plus",)}, "does not take the sign +"),
+    *each("ply", ("assimp",), {"shape": ("concave",)}, "does not triangulate all concave polygons", ("rejected", "unreadable: IndexError")),
+    Explanation(("ply",), ("pymeshlab",), {"form": ("binary_big_endian",), "coordinates": ("double",)}, "does not turn the bytes of double precision"),
+    *each("ply", ("trimesh",), {"elements": ("edge", "edge first", "two")}, "takes a surface with edges for a drawing"),
+    Explanation(("ply",), ("trimesh",), {"form": BINARY, "shape": ("concave",)}, "takes lists of one length in binary files"),
+    Explanation(("ply",), ("trimesh",), {"form": BINARY, "extra": ("list",)}, "takes lists of one length in binary files"),
+    Explanation(("ply",), ("trimesh",), {"form": BINARY, "extra of faces": ("list before", "list behind")}, "takes lists of one length in binary files"),
+    Explanation(("ply",), ("trimesh",), {"shape": ("concave",), "texture": ("of corners",)}, "takes lists of one length"),
+    *each("ply", ("trimesh", "pymeshlab"), {"comments": ("long",)}, "take `end_header` in a comment for the end of the header"),
+    Explanation(("ply",), ("trimesh",), {"colors": ("faces",), "shape": ("cube", "concave")}, "gives triangles the colors of other polygons"),
+    *each("ply", ("assimp",), {"comments": ("RAS", "LPS")}, "takes numbers in comments for elements"),
+    *each("ply", ("assimp",), {"texture": ("of corners",)}, "gives points that are in common the texture of one corner", ("uv",)),
 ]
 
 LEGACY_VTK = [
     *each("vtk", VTK, {"mark": ("yes",)}, "reject a byte-order mark"),
-    *each("vtk", VTK, {"line end": ("CRLF",)}, "keep the CR of CRLF in texts of fields", ("field",)),
 ]
 
 VTP = [
     Explanation(
         ("vtp",), VTK, {"pieces": ("two",), "cells": ("both",)}, "mix up the arrays of polygons and strips of several pieces; ours rejects them", ("not rejected",)
     ),
-    *each("vtp", VTK, {"mark": ("yes",)}, "reject a byte-order mark"),
 ]
 
 OTHERS_OF_3MF = ("trimesh", "pymeshlab", "assimp")

@@ -39,14 +39,14 @@ class Worker:
             return lines[1:] if self.has_greeting else lines
 
     def read_all(self, paths):
-        """An answer for each; None if the reader is not there."""
+        """An answer for each; None if the reader is not there. A file is lost if a new process does not read it as its first."""
         answers = []
         while len(answers) < len(paths):
             found = self.run(paths[len(answers) :])
             if found is None:
                 return None
             answers += [json.loads(line) for line in found]
-            if len(answers) < len(paths):
+            if not found:
                 answers.append(FAILED)
         return answers
 
