@@ -127,7 +127,17 @@ THREE_MF = [
     *each("3mf", ("pymeshlab",), {"component transform": ("mirror",)}, "turns mirrored components inside out", ("faces",)),
 ]
 
-GLB = []
+GLB = [
+    *each("glb", VTK, {"texture": ("float", "ubyte", "ushort")}, "leave texture coordinates from the upper left, as glTF has them", ("uv",)),
+    *each("glb", VTK, {"node": ("mirror",), "parent": ("mirror",)}, "turn mirrored nodes inside out", ("faces",)),
+    *each("glb", (*VTK, "trimesh", "assimp"), {"scene": ("no scenes",)}, "read nothing where there is no scene; ours takes all nodes, as the specification lets it"),
+    *each("glb", (*VTK, "trimesh", "assimp"), {"sparse": ("some", "all")}, "do not read, or not always, the values of sparse accessors"),
+    *each("glb", ("vtk of PyPI",), {"extensions": ("quantization",)}, "rejects KHR_mesh_quantization"),
+    *each("glb", ("trimesh",), {"mode": ("fan",)}, "does not know fans"),
+    *each("glb", ("trimesh",), {"material": ("yes",)}, "takes no texture coordinates with some materials", ("uv",)),
+    *each("glb", ("assimp",), {"primitives": ("points beside",)}, "its Python package gives no mesh that has points"),
+    *each("glb", ("assimp",), {"texture": ("ubyte", "ushort")}, "does not divide texture coordinates of whole numbers", ("uv",)),
+]
 
 EXPLAINED = OBJ + STL + STL_BINARY + PLY + LEGACY_VTK + VTP + THREE_MF + GLB
 
