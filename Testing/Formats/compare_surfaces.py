@@ -74,8 +74,14 @@ def kinds_of(variant, found, tolerance):
         return ["unreadable: " + type(error).__name__]
 
 
-def in_millimeters(found, unit):
-    """The answer with its points in the unit of the truth."""
+def unit_of(reader, variant):
+    """Of the points that a reader gives, in those of the truth."""
+    if reader == "program" and variant.path.suffix == ".glb":
+        return 1e-3  # the file is in meters, the program's result in millimeters
+    return variant.truth.unit if reader in IN_UNIT_OF_FILE else 1.0
+
+
+def in_unit_of_truth(found, unit):
     if unit != 1.0 and "points" in found:
         found["points"] = [[c * unit for c in point] for point in found["points"]]
     return found
@@ -88,7 +94,7 @@ def read_all(workers_of_reader, variants, tolerance, reader):
         answers = answers or worker.read_all([variant.path for variant in variants])
     rows = []
     for variant, found in zip(variants, answers or []):
-        found = in_millimeters(found, variant.truth.unit) if reader in IN_UNIT_OF_FILE else found
+        found = in_unit_of_truth(found, unit_of(reader, variant))
         kinds = kinds_of(variant, found, tolerance)
         rows.append((kinds, found if kinds else None))
     return rows
