@@ -88,12 +88,12 @@ def in_unit_of_truth(found, unit):
 
 
 def read_all(workers_of_reader, variants, tolerance, reader):
-    """For each variant the kinds of differences, and the answer if there are some; by the first worker that is there."""
-    answers = None
+    """For each variant the kinds of differences, and the result if there are some; by the first worker that is there."""
+    results = None
     for worker in workers_of_reader:
-        answers = answers or worker.read_all([variant.path for variant in variants])
+        results = results or worker.read_all([variant.path for variant in variants])
     rows = []
-    for variant, found in zip(variants, answers or []):
+    for variant, found in zip(variants, results or []):
         found = in_unit_of_truth(found, unit_of(reader, variant))
         kinds = kinds_of(variant, found, tolerance)
         rows.append((kinds, found if kinds else None))

@@ -26,8 +26,7 @@ vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& path, std::vector<std::s
   const vtkNew<vtkXMLPolyDataReader> reader;
   const vtkSmartPointer<vtkPolyData> surface = ReadWith(reader.Get(), path, textPoints);
   const bool hasBoth = surface->GetNumberOfPolys() > 0 && surface->GetNumberOfStrips() > 0;
-  if (hasBoth && reader->GetNumberOfPieces() > 1 &&
-    surface->GetCellData()->GetNumberOfArrays() > 0)
+  if (hasBoth && reader->GetNumberOfPieces() > 1 && surface->GetCellData()->GetNumberOfArrays() > 0)
   {
     Reject(path,
       "it has arrays of polygons and of strips in several pieces, which VTK mixes up; save it in "

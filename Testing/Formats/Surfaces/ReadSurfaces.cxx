@@ -36,8 +36,8 @@ Json CellsOf(vtkCellArray* cells)
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
   {
     cells->GetCellAtId(i, corners);
-    result.push_back(
-      std::vector<vtkIdType>(corners->GetPointer(0), corners->GetPointer(corners->GetNumberOfIds())));
+    result.push_back(std::vector<vtkIdType>(
+      corners->GetPointer(0), corners->GetPointer(corners->GetNumberOfIds())));
   }
   return result;
 }
@@ -50,10 +50,11 @@ Json ValuesOf(vtkAbstractArray* array)
     const vtkVariant value = array->GetVariantValue(i);
     const int type = array->GetDataType();
     const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
-    values.push_back(isReal           ? Json(value.ToDouble())
-        : type == VTK_STRING          ? Json(value.ToString())
-        : type == VTK_UNSIGNED_LONG_LONG || type == VTK_UNSIGNED_LONG ? Json(value.ToUnsignedLongLong())
-                                      : Json(value.ToLongLong()));
+    values.push_back(isReal  ? Json(value.ToDouble())
+        : type == VTK_STRING ? Json(value.ToString())
+        : type == VTK_UNSIGNED_LONG_LONG || type == VTK_UNSIGNED_LONG
+        ? Json(value.ToUnsignedLongLong())
+        : Json(value.ToLongLong()));
   }
   return values;
 }

@@ -100,8 +100,8 @@ class Comparison:
     def expected_at(self, values, i):
         """Of the corners of the face that was read, in its order."""
         number = self.face_of[i]
-        place = {v: k for k, v in enumerate(self.faces[number])}
-        return [values[number][place[int(self.vertex_of[v])]] for v in self.reading.faces[i]]
+        corner_of = {v: k for k, v in enumerate(self.faces[number])}
+        return [values[number][corner_of[int(self.vertex_of[v])]] for v in self.reading.faces[i]]
 
     def is_near(self, expected, found, step):
         """step: the largest difference in a reader of less precision."""

@@ -10,7 +10,7 @@ import dataclasses
 VTK = ("vtk of Debian", "vtk of PyPI")
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
+@dataclasses.dataclass(eq=False)
 class Explanation:
     """when: choice -> values, all of which a variant must have. kinds: of differences, empty for all."""
 
@@ -120,8 +120,8 @@ THREE_MF = [
     *each("3mf", OTHERS_OF_3MF, {"other objects": ("support", "solidsupport")}, "read objects for supports"),
     *each("3mf", ("assimp",), {"other objects": ("empty",)}, "its Python package gives no scene that has an empty object"),
     *each("3mf", ("assimp",), {"prefix": ("core", "m")}, "does not know prefixes of XML"),
-    *each("3mf", ("assimp",), {"part": ("components elsewhere", "items elsewhere")}, "does not know production parts"),
-    *each("3mf", ("trimesh",), {"part": ("items elsewhere",)}, "takes parts of components alone"),
+    *each("3mf", ("assimp",), {"part": ("components in another part", "items in another part")}, "does not know production parts"),
+    *each("3mf", ("trimesh",), {"part": ("items in another part",)}, "takes parts of components alone"),
     *each("3mf", ("trimesh",), {"entries": ("another name",)}, "does not look for the name of the model"),
     *each("3mf", ("lib3mf", "pymeshlab"), {"target": ("relative",)}, "do not find objects if the target of the package has no leading slash"),
     *each("3mf", ("pymeshlab",), {"component transform": ("mirror",)}, "turns mirrored components inside out", ("faces",)),

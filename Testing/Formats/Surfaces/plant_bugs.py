@@ -26,7 +26,7 @@ inline bool IsPlanted(int number)
   return planted == number;
 }
 """
-# What breaks, format that shows it, source, a piece of it and what takes its place, where BUG is whether this one is planted.
+# What breaks, format that shows it, source, a piece of it and what replaces it, where BUG is whether this one is planted.
 BUGS = [
     ("indices from 0", "obj", "ReadObj.cxx", ": index - 1;", ": BUG ? index % count : index - 1;"),
     ("negative indices", "obj", "ReadObj.cxx", "? count + index :", "? (BUG ? (count + index) / 2 : count + index) :"),
