@@ -64,10 +64,10 @@ def variants(choices, count, seed, uniform=()):
     rows = all_pairs(choices, seed) + one_at_a_time(choices, seed, uniform)
     generator = random.Random(seed + 1)
     while len(rows) < count:
-        share = generator.choice([0.03, 0.06, 0.1, 0.2, 0.5])
+        fraction = generator.choice([0.03, 0.06, 0.1, 0.2, 0.5])
         rows.append(
             {
-                name: generator.choice(values) if name in uniform or generator.random() < share else values[0]
+                name: generator.choice(values) if name in uniform or generator.random() < fraction else values[0]
                 for name, values in choices.items()
             }
         )

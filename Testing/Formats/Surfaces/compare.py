@@ -100,15 +100,16 @@ class Comparison:
     def expected_at(self, values, i):
         """Of the corners of the face that was read, in its order."""
         number = self.face_of[i]
-        place = {v: k for k, v in enumerate(self.faces[number])}
-        return [values[number][place[int(self.vertex_of[v])]] for v in self.reading.faces[i]]
+        corner_of = {v: k for k, v in enumerate(self.faces[number])}
+        return [values[number][corner_of[int(self.vertex_of[v])]] for v in self.reading.faces[i]]
 
-    def is_near(self, expected, found, step=1e-6):
+    def is_near(self, expected, found, step):
+        """step: the largest difference in a reader of less precision."""
         if expected is None:
             return True
         if not self.is_exact:
             size = min(len(expected), len(found))
-            return np.allclose(expected[:size], found[:size], rtol=step, atol=step)
+            return np.allclose(expected[:size], found[:size], rtol=0.0, atol=step)
         found = tuple(map(float, found))
         if self.tolerance > 0:
             return len(found) == len(expected) and np.allclose(expected, found, rtol=2e-7, atol=2e-7)

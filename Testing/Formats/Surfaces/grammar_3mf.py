@@ -33,7 +33,7 @@ CHOICES = {
     "type": ["not given", "model", "surface"],
     "other objects": ["none", "support", "solidsupport", "other", "not built", "empty"],
     "printable": ["not given", "1", "0 of another", "0 and a shared one"],
-    "part": ["one model", "components elsewhere", "items elsewhere"],
+    "part": ["one model", "components in another part", "items in another part"],
     "materials": ["none", "base", "of triangles", "color group"],
     "metadata": ["no", "yes"],
     "comments": ["no", "yes"],
@@ -73,7 +73,7 @@ class Writer:
         self.parts = {}
 
     # What the build makes, as points and faces.
-    def place(self, points, faces, transforms):
+    def put(self, points, faces, transforms):
         factor = UNITS.get(self.choices["unit"], 1.0)
         first = len(self.truth.points)
         for point in points:
@@ -132,33 +132,33 @@ class Writer:
         inner = TRANSFORMS[choices["component transform"]]
         outer = TRANSFORMS[choices["item transform"]]
         a, b, c, *_ = self.ids
-        elsewhere, here, items = [], [], []
+        other_part, here, items = [], [], []
         build = choices["build"]
-        target = elsewhere if choices["part"] != "one model" else here
+        target = other_part if choices["part"] != "one model" else here
         item = [("objectid", a), ("transform", self.transform("item transform")), ("printable", "1" if choices["printable"] == "1" else None)]
         if build in ("object", "two items", "one object twice"):
             halves = [shape.faces] if build != "two items" else [shape.faces[: len(shape.faces) // 2], shape.faces[len(shape.faces) // 2 :]]
-            target = elsewhere if choices["part"] == "items elsewhere" else here
+            target = other_part if choices["part"] == "items in another part" else here
             for number, faces in zip((a, b), halves):
                 points, faces = compact(shape.points, faces)
                 target += self.mesh(number, points, faces)
-                self.place(points, faces, [outer])
-                items.append([("objectid", number), *item[1:], self.path("items elsewhere")])
+                self.put(points, faces, [outer])
+                items.append([("objectid", number), *item[1:], self.path("items in another part")])
             if build == "one object twice":
                 far = "1 0 0 0 1 0 0 0 1 400 0 0"
-                items.append([("objectid", a), ("transform", far), self.path("items elsewhere")])
-                self.place(points, faces, [(1, 0, 0, 0, 1, 0, 0, 0, 1, 400, 0, 0)])
-            return elsewhere, here, items
-        where = "components elsewhere"
-        target = elsewhere if choices["part"] == where else here
+                items.append([("objectid", a), ("transform", far), self.path("items in another part")])
+                self.put(points, faces, [(1, 0, 0, 0, 1, 0, 0, 0, 1, 400, 0, 0)])
+            return other_part, here, items
+        where = "components in another part"
+        target = other_part if choices["part"] == where else here
         target += self.mesh(a, shape.points, shape.faces)
         reference = [("objectid", a), ("transform", self.transform("component transform")), self.path(where)]
         here += self.compound(b, [reference])
         if build == "nested components":
             here += self.compound(c, [[("objectid", b), ("transform", self.transform("component transform"))]])
-        self.place(shape.points, shape.faces, [inner, *([inner] if build == "nested components" else []), outer])
+        self.put(shape.points, shape.faces, [inner, *([inner] if build == "nested components" else []), outer])
         items.append([("objectid", c if build == "nested components" else b), *item[1:]])
-        return elsewhere, here, items
+        return other_part, here, items
 
     def others(self):
         """Objects that are not read, and their items."""
@@ -214,7 +214,7 @@ class Writer:
         return text.encode("utf-8")
 
     def write(self):
-        elsewhere, here, items = self.objects()
+        other_part, here, items = self.objects()
         lines, more = self.others()
         name = "3D/bone model.model" if self.choices["entries"] == "another name" else "3D/3dmodel.model"
         name = name.replace(" ", "_")
@@ -230,8 +230,8 @@ class Writer:
             f'Type="{model_type}"/></Relationships>',
             name: self.model(here + lines, items + more),
         }
-        if elsewhere:
-            entries["3D/parts/bone.model"] = self.model(elsewhere, [])
+        if other_part:
+            entries["3D/parts/bone.model"] = self.model(other_part, [])
             folder, file = name.rsplit("/", 1)
             entries[f"{folder}/_rels/{file}.rels"] = (
                 f'<?xml version="1.0" encoding="UTF-8"?><Relationships xmlns="{rels}"><Relationship Target="/3D/parts/bone.model" '

@@ -20,7 +20,7 @@ CHOICES = {
     "node": ["plain", "translation", "rotation", "scale", "TRS", "matrix", "mirror"],
     "parent": ["none", "translation", "rotation", "scale", "TRS", "matrix", "mirror"],
     "tree": ["one", "mesh twice", "two meshes", "mesh in the parent"],
-    "primitives": ["one", "two", "two that share points", "points beside"],
+    "primitives": ["one", "two", "two with the same points", "points beside"],
     "normals": ["no", "yes"],
     "texture": ["no", "float", "ubyte", "ushort"],
     "colors": ["no", "float 3", "float 4", "ubyte 4", "ushort 3"],
@@ -171,7 +171,7 @@ class Writer:
         return columns, values
 
     def sparse(self, points, accessor):
-        """Some positions are elsewhere."""
+        """Some positions are in another buffer view."""
         entry = self.buffer.accessors[accessor]
         kind = self.choices["sparse"]
         if kind == "no":
@@ -231,7 +231,7 @@ class Writer:
         """The number of the mesh, and its parts as points, faces and values."""
         choices = self.choices
         half = len(faces) // 2
-        several = choices["primitives"] in ("two", "two that share points")
+        several = choices["primitives"] in ("two", "two with the same points")
         groups = [faces[:half], faces[half:]] if several and half else [faces]
         if choices["mode"] in ("strip", "fan"):  # each a primitive of its own, of one or two triangles
             groups = []
@@ -241,7 +241,7 @@ class Writer:
         primitives, parts, shared = [], [], None
         for group in groups:
             entry, of_points, of_faces, values = self.primitive(points, group, shared and shared[0])
-            if choices["primitives"] == "two that share points" and choices["indices"] != "none":
+            if choices["primitives"] == "two with the same points" and choices["indices"] != "none":
                 values = shared[1] if shared else values
                 shared = shared or (entry["attributes"], values)
             primitives.append(entry)
@@ -253,7 +253,7 @@ class Writer:
             self.meshes[-1]["name"] = "Knochen \u00e4\u2713" if choices["names"] == "Unicode" else "bone"
         return len(self.meshes) - 1, parts
 
-    def place(self, parts, rows):
+    def put(self, parts, rows):
         for points, faces, values in parts:
             first = len(self.truth.points)
             self.truth.points += [apply(rows, p) for p in points]
@@ -280,19 +280,19 @@ class Writer:
             self.nodes.append({**around, "children": [0]})
             if choices["tree"] == "mesh in the parent":
                 self.nodes[1]["mesh"] = mesh
-                self.place(parts, outer)
-        self.place(parts, whole)
+                self.put(parts, outer)
+        self.put(parts, whole)
         roots = [1 if has_parent else 0]
         far = [(1.0, 0.0, 0.0, 7.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0)]
         if choices["tree"] == "mesh twice":
             self.nodes.append({"mesh": mesh, "translation": [7.0, 0.0, 0.0]})
             roots.append(len(self.nodes) - 1)
-            self.place(parts, far)
+            self.put(parts, far)
         elif choices["tree"] == "two meshes":
             mesh, parts = self.mesh([tuple(single(c + 3.0) for c in p) for p in self.shape.points], self.shape.faces)
             self.nodes.append({"mesh": mesh})
             roots.append(len(self.nodes) - 1)
-            self.place(parts, trs())
+            self.put(parts, trs())
         return roots
 
     def document(self):

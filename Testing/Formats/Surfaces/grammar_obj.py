@@ -16,7 +16,7 @@ CHOICES = {
     "blank lines": ["no", "yes"],
     "indices": ["positive", "negative", "both"],
     "corner": ["v", "v/vt", "v//vn", "v/vt/vn", "v/0/vn", "v/0/0", "v/vt/", "v//"],
-    "texture": ["of vertices", "seam"],
+    "texture": ["of vertices", "of corners"],
     "texture numbers": [2, 3, 1],
     "normals": ["of vertices", "of faces"],
     "colors": ["none", "to 1", "to 255", "with alpha", "weight 1", "weight"],

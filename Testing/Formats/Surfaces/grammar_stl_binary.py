@@ -13,7 +13,7 @@ CHOICES = {
     "header": ["zeros", "blanks", "text", "solid", "solid and a line", "facet", "any bytes", "RAS", "LPS", "mark"],
     "attributes": ["zero", "numbers", "VisCAM", "VisCAM for some", "Magics", "Magics for some", "Magics for none"],
     "normals": ["right", "zero", "other", "nan", "infinite"],
-    "color place": ["first", "last", "middle"],
+    "color position": ["first", "last", "middle"],
     "material": ["no", "yes"],
     "size": ["as it is", "large", "small", "far"],
     "count": ["one solid"] + ["twice"],
@@ -42,7 +42,7 @@ def header_of(choices, truth, generator):
         if choices["material"] == "yes":
             color += b",MATERIAL=" + bytes([1, 2, 3, 255, 4, 5, 6, 255, 7, 8, 9, 255])
         free = max(0, 80 - len(color))
-        start = {"first": 0, "last": free, "middle": free // 2}[choices["color place"]]
+        start = {"first": 0, "last": free, "middle": free // 2}[choices["color position"]]
         if kind in ("RAS", "LPS", "solid and a line"):
             start = free
         head = head.ljust(80, b"\0")

@@ -24,7 +24,7 @@ CHOICES = {
     "form": ["ASCII", "BINARY"],
     "version": ["3.0", "2.0", "4.2", "5.1"],
     "shape": ALL_SHAPES,
-    "coordinates": ["double", "float", "int"],
+    "coordinates": ["double", "float", "int", "float with more digits"],
     "numbers": NUMBERS,
     "cells": ["polygons", "strips", "both"],
     "offsets": ["vtktypeint64", "int"],
@@ -49,9 +49,11 @@ UNIFORM = {"form", "version", "shape", "coordinates", "arrays of points", "array
 class Writer:
     def __init__(self, choices, generator):
         self.choices, self.generator = choices, generator
-        self.truth = make_shape(
-            choices["shape"], generator, as_single=choices["coordinates"] == "float", triangles=choices["cells"] != "polygons"
-        )
+        # Text can have more digits than its type: ours keeps them.
+        self.kind = choices["coordinates"].split()[0]
+        is_text = choices["form"] == "ASCII" and self.kind != choices["coordinates"]
+        as_single = self.kind == "float" and not is_text
+        self.truth = make_shape(choices["shape"], generator, as_single=as_single, triangles=choices["cells"] != "polygons")
         if choices["coordinates"] == "int":
             self.truth.points = [tuple(float(round(c)) for c in p) for p in self.truth.points]
         self.end = "\r\n" if choices["line end"] == "CRLF" and choices["form"] == "ASCII" else "\n"
@@ -242,9 +244,9 @@ class Writer:
         self.line("DATASET", "POLYDATA")
         self.field()
         self.blank()
-        self.line("POINTS", len(truth.points), choices["coordinates"])
-        as_is = choices["coordinates"] != "int"
-        self.values(choices["coordinates"], truth.points if as_is else [tuple(map(int, p)) for p in truth.points])
+        self.line("POINTS", len(truth.points), self.kind)
+        as_is = self.kind != "int"
+        self.values(self.kind, truth.points if as_is else [tuple(map(int, p)) for p in truth.points])
         self.surface()
         order = (True, False) if choices["data order"] == "points first" else (False, True)
         for of_points in order:

@@ -30,7 +30,7 @@ CHOICES = {
     "byte order": ["LittleEndian", "BigEndian"],
     "version": ["1.0", "0.1", "2.2"],
     "shape": ALL_SHAPES,
-    "coordinates": ["Float64", "Float32", "Int32"],
+    "coordinates": ["Float64", "Float32", "Int32", "Float32 with more digits"],
     "index type": ["Int64", "Int32"],
     "numbers": NUMBERS,
     "cells": ["polygons", "strips", "both"],
@@ -57,9 +57,11 @@ UNIFORM = {"encoding", "compressor", "shape", "coordinates", "arrays of points",
 class Writer:
     def __init__(self, choices, generator):
         self.choices, self.generator = choices, generator
-        self.truth = make_shape(
-            choices["shape"], generator, as_single=choices["coordinates"] == "Float32", triangles=choices["cells"] != "polygons"
-        )
+        # Text can have more digits than its type: ours keeps them.
+        self.kind = choices["coordinates"].split()[0]
+        is_text = choices["encoding"] == "ascii" and self.kind != choices["coordinates"]
+        as_single = self.kind == "Float32" and not is_text
+        self.truth = make_shape(choices["shape"], generator, as_single=as_single, triangles=choices["cells"] != "polygons")
         if choices["coordinates"] == "Int32":
             self.truth.points = [tuple(float(round(c)) for c in p) for p in self.truth.points]
         self.order = "<" if choices["byte order"] == "LittleEndian" else ">"
@@ -232,8 +234,8 @@ class Writer:
         self.tag("Points")
         if self.choices["comments"] == "of points":
             self.lines.append("<!-- in mm -->")
-        as_is = self.choices["coordinates"] != "Int32"
-        self.array(self.choices["coordinates"], "Points", self.truth.points if as_is else [tuple(map(int, p)) for p in self.truth.points])
+        as_is = self.kind != "Int32"
+        self.array(self.kind, "Points", self.truth.points if as_is else [tuple(map(int, p)) for p in self.truth.points])
         self.lines.append("</Points>")
 
     def field(self):

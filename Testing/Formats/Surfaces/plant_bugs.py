@@ -26,11 +26,11 @@ inline bool IsPlanted(int number)
   return planted == number;
 }
 """
-# What breaks, format that shows it, source, a piece of it and what takes its place, where BUG is whether this one is planted.
+# What breaks, format that shows it, source, a piece of it and what replaces it, where BUG is whether this one is planted.
 BUGS = [
     ("indices from 0", "obj", "ReadObj.cxx", ": index - 1;", ": BUG ? index % count : index - 1;"),
     ("negative indices", "obj", "ReadObj.cxx", "? count + index :", "? (BUG ? (count + index) / 2 : count + index) :"),
-    ("lines that go on", "obj", "LineReader.cxx", "whole += ' ';", 'whole += BUG ? "" : " ";'),
+    ("lines that go on", "obj", "LineReader.cxx", "whole += hasNext ?", "whole += hasNext && !BUG ?"),
     ("range of colors", "obj", "ObjCells.cxx", "> 1.0F ? 1.0F", "> 1.0F || BUG ? 1.0F"),
     ("big-endian bytes", "ply", "PlyElementReader.cxx", "IsBigEndian ?", "IsBigEndian && !BUG ?"),
     ("signed bytes", "ply", "PlyElementReader.cxx", "static_cast<std::int8_t>(bits)", "static_cast<std::int8_t>(BUG ? bits & 127 : bits)"),

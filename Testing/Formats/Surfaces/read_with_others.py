@@ -136,21 +136,21 @@ def make_lib3mf():
         m[:, :3] = np.asarray(transform.Fields, float).reshape(4, 3)
         return m  # of row vectors
 
-    def add(item, place, parts):
+    def add(item, around, parts):
         if item.IsMeshObject():
             points = np.array([v.Coordinates for v in item.GetVertices()], float).reshape(-1, 3)
             faces = [list(t.Indices) for t in item.GetTriangleIndices()]
-            if np.linalg.det(place[:3, :3]) < 0:
+            if np.linalg.det(around[:3, :3]) < 0:
                 faces = [face[::-1] for face in faces]
             if item.GetType() in (lib3mf.ObjectType.Model, lib3mf.ObjectType.Surface) and len(points):
-                parts.append({"points": rows(points @ place[:3, :3] + place[3, :3]), "faces": faces})
+                parts.append({"points": rows(points @ around[:3, :3] + around[3, :3]), "faces": faces})
             return
         if item.GetType() not in (lib3mf.ObjectType.Model, lib3mf.ObjectType.Surface):
             return
         for i in range(item.GetComponentCount()):
             component = item.GetComponent(i)
             inner = matrix(component.GetTransform()) if component.HasTransform() else np.eye(4)
-            add(resolve(component.GetObjectResource()), inner @ place, parts)
+            add(resolve(component.GetObjectResource()), inner @ around, parts)
 
     def resolve(resource):
         return resource
@@ -163,8 +163,8 @@ def make_lib3mf():
         parts, items = [], model.GetBuildItems()
         while items.MoveNext():
             item = items.GetCurrent()
-            place = matrix(item.GetObjectTransform()) if item.HasObjectTransform() else np.eye(4)
-            add(item.GetObjectResource(), place, parts)
+            around = matrix(item.GetObjectTransform()) if item.HasObjectTransform() else np.eye(4)
+            add(item.GetObjectResource(), around, parts)
         result = join(parts)
         result["points"] = rows(np.asarray(result["points"]) * factor)
         return result

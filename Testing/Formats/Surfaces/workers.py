@@ -9,7 +9,7 @@ import tempfile
 import time
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-SECONDS = 20  # without an answer; the machine may be busy
+SECONDS = 20  # without a result; the machine may be busy
 FAILED = {"error": "it crashes or hangs"}
 
 
@@ -20,35 +20,35 @@ class Worker:
         self.command, self.has_greeting = command, has_greeting
 
     def run(self, paths):
-        """The answers that came before it ended; None if it did not begin."""
-        with tempfile.TemporaryFile("w+", encoding="utf-8") as questions, tempfile.TemporaryFile("w+", encoding="utf-8") as answers:
+        """The results that came before it ended; None if it did not begin."""
+        with tempfile.TemporaryFile("w+", encoding="utf-8") as questions, tempfile.TemporaryFile("w+", encoding="utf-8") as results:
             questions.writelines(f"{path}\n" for path in paths)
             questions.seek(0)
-            process = subprocess.Popen(self.command, stdin=questions, stdout=answers, stderr=subprocess.DEVNULL)
+            process = subprocess.Popen(self.command, stdin=questions, stdout=results, stderr=subprocess.DEVNULL)
             size, since = 0, time.monotonic()
             while process.poll() is None:
                 time.sleep(0.02)
-                now = answers.seek(0, 2)
+                now = results.seek(0, 2)
                 size, since = (now, time.monotonic()) if now != size else (size, since)
                 if time.monotonic() - since > SECONDS:
                     process.kill()
-            answers.seek(0)
-            lines = [line for line in answers if line.endswith("\n")]
+            results.seek(0)
+            lines = [line for line in results if line.endswith("\n")]
             if self.has_greeting and not lines:
                 return None
             return lines[1:] if self.has_greeting else lines
 
     def read_all(self, paths):
-        """An answer for each; None if the reader is not there."""
-        answers = []
-        while len(answers) < len(paths):
-            found = self.run(paths[len(answers) :])
+        """An result for each; None if the reader is not there. A file is lost if a new process does not read it as its first."""
+        results = []
+        while len(results) < len(paths):
+            found = self.run(paths[len(results) :])
             if found is None:
                 return None
-            answers += [json.loads(line) for line in found]
-            if len(answers) < len(paths):
-                answers.append(FAILED)
-        return answers
+            results += [json.loads(line) for line in found]
+            if not found:
+                results.append(FAILED)
+        return results
 
 
 def worker_of(python, reader):
