@@ -61,8 +61,8 @@ FoundSegments FindSegments(
 std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
   const SegmentArguments& arguments, const std::string& path, std::vector<std::string>& warnings);
 
-/// The same before anything is read, so that segments which were not chosen cover none of the others.
-SegmentSelection SelectionOf(const SegmentArguments& arguments);
+/// The same before anything of the map is read, so that segments which were not chosen cover none of the others.
+SegmentSelection SelectionOf(const SegmentArguments& arguments, const std::string& path);
 }
 
 #endif
