@@ -66,7 +66,7 @@ public:
       {
         LabelColor color = {};
         std::transform(this->Colors[i]->begin(), this->Colors[i]->end(), color.begin(),
-          [scale](double value) { return static_cast<unsigned char>(scale * value + 0.5); });
+          [scale](double value) { return static_cast<unsigned char>(std::lround(scale * value)); });
         this->Table.Labels[i].Color = color;
       }
     }
