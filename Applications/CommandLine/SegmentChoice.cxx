@@ -5,6 +5,7 @@
 #include "ExitCode.h"
 #include "Formats/FileChecks.h"
 #include "Labels/LabelNames.h"
+#include "Labels/LabelTableSearch.h"
 #include "Options/Text.h"
 #include "PlainText.h"
 #include "TotalSegmentator.h"
@@ -281,15 +282,16 @@ std::vector<LeftOut> SegmentsLeftOut(const FoundSegments& segments,
 }
 
 //------------------------------------------------------------------------------
-SegmentSelection SelectionOf(const SegmentArguments& arguments)
+SegmentSelection SelectionOf(const SegmentArguments& arguments, const std::string& path)
 {
   const std::string word = LowerCase(arguments.Choice);
   if (word.empty() || word == "all")
   {
     return {};
   }
-  return [arguments, word, table = TableOfArguments(arguments)](
-           std::int64_t label, const std::string& nameInFile)
+  const LabelTable table =
+    arguments.LabelNames.empty() ? FindTableBeside(path).Table : TableOfArguments(arguments);
+  return [arguments, word, table](std::int64_t label, const std::string& nameInFile)
   {
     const NamedLabel segment{ label, NameOfSegment(label, PlainText(nameInFile), table), {} };
     if (MeansBones(word, { segment }, arguments))
@@ -298,7 +300,9 @@ SegmentSelection SelectionOf(const SegmentArguments& arguments)
     }
     const std::vector<std::string> words = WordsOf({ segment }, arguments.Choice);
     return std::any_of(words.begin(), words.end(),
-      [&segment](const std::string& text) { return IsMeant(segment, Trimmed(text)); });
+      [&segment, &table](const std::string& text) {
+        return IsMeant(segment, Trimmed(text)) || IsInRegion(segment, Trimmed(text), table.Regions);
+      });
   };
 }
 }

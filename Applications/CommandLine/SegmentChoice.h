@@ -66,8 +66,8 @@ std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
 std::vector<LeftOut> SegmentsLeftOut(const FoundSegments& segments,
   const SegmentArguments& arguments, const std::vector<NamedLabel>& chosen);
 
-/// The same before anything is read, so that segments which were not chosen cover none of the others.
-SegmentSelection SelectionOf(const SegmentArguments& arguments);
+/// The same before anything of the map is read, so that segments which were not chosen cover none of the others.
+SegmentSelection SelectionOf(const SegmentArguments& arguments, const std::string& path);
 }
 
 #endif

@@ -103,7 +103,7 @@ SegmentSlabs::SegmentSlabs(const Arguments& arguments)
 std::unique_ptr<volume::IsolatedReader> SegmentSlabs::Open() const
 {
   return volume::OpenVolume(this->Requested.Inputs[0], this->Requested.LabelMap.GetSpacing(),
-    SelectionOf(this->Requested.Segments));
+    SelectionOf(this->Requested.Segments, this->Requested.Inputs[0]));
 }
 
 //------------------------------------------------------------------------------

@@ -18,8 +18,8 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
 {
   const std::string& path = arguments.Inputs[0];
   SegmentSurfaces segments;
-  segments.Map =
-    ReadLabels(path, warnings, arguments.LabelMap.GetSpacing(), SelectionOf(arguments.Segments));
+  segments.Map = ReadLabels(
+    path, warnings, arguments.LabelMap.GetSpacing(), SelectionOf(arguments.Segments, path));
   const FoundSegments found = FindSegments(segments.Map, arguments.Segments, path);
   const std::vector<NamedLabel> chosen = ChooseSegments(found, arguments.Segments, path, warnings);
   segments.Note = found.Note;

@@ -12,10 +12,8 @@ namespace bonedecimate
 namespace
 {
 constexpr std::size_t HeaderSize = 348;
-constexpr std::size_t LargestExtension = std::size_t(1)
-  << 26; // of what a damaged header can announce
-
-/// A file, compressed or not, from its begin.
+constexpr std::size_t LargestTotal = std::size_t(1)
+  << 26; // bytes, of what a damaged header can announce
 class NiftiBeginning
 {
 public:
@@ -77,13 +75,15 @@ std::vector<std::string> ReadNiftiExtensions(const std::string& path)
   const float voxels = NumberAt<float>(header, 108, isSwapped);
   const double end = voxels > 0.0F && voxels < 1e9F ? static_cast<double>(voxels) : 0.0;
   double position = HeaderSize + 4;
+  std::size_t total = 0;
   while (position + 8.0 <= end)
   {
     const std::string beginning = file.Read(8);
     const std::int32_t size =
       beginning.size() == 8 ? NumberAt<std::int32_t>(beginning, 0, isSwapped) : 0;
     position += size;
-    if (size < 8 || static_cast<std::size_t>(size) > LargestExtension || position > end)
+    total += static_cast<std::size_t>(std::max(size, 0));
+    if (size < 8 || total > LargestTotal || position > end)
     {
       break; // the rest cannot be divided
     }

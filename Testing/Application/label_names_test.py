@@ -156,6 +156,9 @@ class LabelNames(ApplicationTest):
         self.write("layers.ctbl", "1 rib 1 2 3 255\n")
         self.assertEqual(self.names_of("layers.seg.nrrd")[0][1][0], "bone")
         self.fail_with(REJECTED, "layers.seg.nrrd", "no.vtp", *SEGMENTS, "--label-names", "layers.ctbl", says="'bone' in its header and 'rib'")
+        # names that say no more than the label are completed, also where segments are chosen before layers are combined
+        self.write("layers.seg.nrrd", layers(labels == 1, 2 * (labels > 0), names=("Segment_1", "Segment_2")).replace(b"Segment1_LabelValue:=1", b"Segment1_LabelValue:=2"))
+        self.assertEqual(self.names_of("layers.seg.nrrd", segments="rib")[0][1][0], "rib")
 
     def test_regions_choose_all_of_their_labels(self):
         regions = {"labels": {"background": 0, "leg": [1, 2], "patella": [2]}, "regions_class_order": [1, 2]}
@@ -168,6 +171,7 @@ class LabelNames(ApplicationTest):
     def test_a_table_that_cannot_be_read_is_rejected_with_its_line(self):
         for name, text, says in (
             ("a.tsv", "index\tname\n1\tfemur\n1.5\trib\n", "line 3: '1.5' is no label"),
+            ("a.tsv", "index\tname\n1e300\tfemur\n", "line 2: '1e300' is no label"),
             ("a.tsv", "index\tname\n9223372036854775808\tfemur\n", "line 2: '9223372036854775808' is no label"),
             ("a.tsv", "index\tname\n\n7\n", "line 3: it has 1 columns"),
             ("a.ctbl", "# comment\r\n1 femur 300 0 0 255\r\n", "line 2: its color is not within 0 to 255"),
@@ -219,6 +223,17 @@ class LabelNames(ApplicationTest):
         struct.pack_into("<i", data, 352, 1 << 30)
         self.write("total.nii", bytes(data))
         self.assertEqual(self.names_of("total.nii")[0][1][0], "")
+
+    def test_what_tables_of_spreadsheets_have_is_read(self):
+        for name, data in (("a.csv", "LabelValue;Name\n1.0;femur\n2;tibia\n"), ("a.ctbl", '1 "femur" 255 0 0 255\n2\ttibia\t0\t0\t255\t255\n'),
+                           ("a.tsv", "name\tcolor\tindex\nfemur\tn/a\t1\nn/a\tn/a\t9\ntibia\tred\t2"), ("a.json", '{"labels": {"femur": 1.0, "tibia": "2"}}')):
+            self.write(name, data)
+            self.assertEqual([label for label, _ in self.names_of("map.nii", "--label-names", name)[0].values()], ["femur", "tibia"])
+        self.write("a.json", '{"labels": {"Sch\u00e4del": 1}}'.encode("latin-1"))
+        self.assertEqual(self.names_of("map.nii", "--label-names", "a.json")[0][1][0], "Sch?del")
+        self.write("a.tsv", "id\tlabel\n1\tfemur\n")
+        says = "line 1: it is no row of a color table, which is a label, a name and four numbers, and no heading with the columns index and name"
+        self.fail_with(REJECTED, "map.nii", "no.vtp", *SEGMENTS, "--label-names", "a.tsv", says=says)
 
     def test_names_in_any_encoding_and_of_any_length_are_safe(self):
         self.write("map.tsv", b"\xef\xbb\xbfindex\tname\r\n1\tSch\xc3\xa4del\r\n2\tSch\xe4del \x1b[31m\r\n")

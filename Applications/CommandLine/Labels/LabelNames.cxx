@@ -9,6 +9,7 @@
 #include "TotalSegmentator.h"
 
 #include <algorithm>
+#include <map>
 
 namespace bonedecimate
 {
@@ -30,17 +31,21 @@ const NamedLabel* FindIn(const LabelTable& table, std::int64_t label)
 /// Names and colors that the header lacks.
 void Complete(LabelTable& known, const LabelTable& more)
 {
+  std::map<std::int64_t, NamedLabel> labels;
+  for (const NamedLabel& label : known.Labels)
+  {
+    labels.emplace(label.Value, label);
+  }
   for (const NamedLabel& label : more.Labels)
   {
-    const auto found = std::find_if(known.Labels.begin(), known.Labels.end(),
-      [&label](const NamedLabel& one) { return one.Value == label.Value; });
-    if (found == known.Labels.end())
-    {
-      known.Labels.push_back(label);
-      continue;
-    }
-    found->Name = IsGenericName(found->Name) && !label.Name.empty() ? label.Name : found->Name;
-    found->Color = found->Color ? found->Color : label.Color;
+    NamedLabel& found = labels.emplace(label.Value, label).first->second;
+    found.Name = IsGenericName(found.Name) && !label.Name.empty() ? label.Name : found.Name;
+    found.Color = found.Color ? found.Color : label.Color;
+  }
+  known.Labels.clear();
+  for (const auto& [value, label] : labels)
+  {
+    known.Labels.push_back(label);
   }
   known.Regions.insert(more.Regions.begin(), more.Regions.end());
 }

@@ -183,17 +183,16 @@ std::string ContradictionOf(const std::vector<NamedLabel>& a, const std::string&
       names[label.Value] = label.Name;
     }
   }
-  for (const NamedLabel& label : b)
+  const auto contradicts = [&names](const NamedLabel& label)
   {
     const auto other = names.find(label.Value);
-    if (other != names.end() && !IsGenericName(label.Name) &&
-      Comparable(other->second) != Comparable(label.Name))
-    {
-      return "label " + std::to_string(label.Value) + " is '" + other->second + "' in " + nameOfA +
-        " and '" + label.Name + "' in " + nameOfB;
-    }
-  }
-  return std::string();
+    return other != names.end() && !IsGenericName(label.Name) &&
+      Comparable(other->second) != Comparable(label.Name);
+  };
+  const auto label = std::find_if(b.begin(), b.end(), contradicts);
+  return label == b.end() ? std::string()
+                          : "label " + std::to_string(label->Value) + " is '" +
+      names[label->Value] + "' in " + nameOfA + " and '" + label->Name + "' in " + nameOfB;
 }
 
 FoundTable FindTableBeside(const std::string& labelMap)

@@ -7,8 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 namespace bonedecimate
 {
@@ -17,6 +19,20 @@ namespace
 using Json = nlohmann::json;
 
 constexpr std::size_t LongestQuote = 40;
+
+/// With question marks for bytes that are no UTF-8.
+std::string ValidText(std::string text)
+{
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const bool isAscii = static_cast<unsigned char>(text[i]) < 0x80;
+    const std::size_t length =
+      isAscii ? 1 : LengthOfPlainCharacter(std::string_view(text).substr(i));
+    text[i] = length == 0 ? '?' : text[i];
+    i += std::max<std::size_t>(length, 1);
+  }
+  return text;
+}
 
 /// A whole number, also one that is written as 1.0 or "1".
 std::optional<std::int64_t> LabelOf(const Json& value)
@@ -74,7 +90,7 @@ std::string Add(const std::string& name, const Json& value, LabelTable& table)
 LabelTable ReadLabelsOfJson(const std::string& text)
 {
   LabelTable table;
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = Json::parse(ValidText(text), nullptr, false);
   if (json.is_discarded())
   {
     table.Problem = "it is no valid JSON";

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -32,6 +33,16 @@ std::string Quoted(const std::string& text)
   return "'" + PlainText(text.substr(0, LongestQuote)) + "'";
 }
 
+/// A whole number, also one that is written as 1.0.
+std::optional<std::int64_t> LabelOf(const std::string& text)
+{
+  constexpr double most = 9007199254740992.0;
+  const auto label = ParseNumber<std::int64_t>(text);
+  const double number = label ? most : ParseFinite(text).value_or(most);
+  const bool isWhole = std::abs(number) < most && !(std::floor(number) < number);
+  return isWhole ? static_cast<std::int64_t>(number) : label;
+}
+
 /// Red, green and blue as the file has them, which end at 1 or at 255.
 using FileColor = std::array<double, 3>;
 
@@ -55,7 +66,7 @@ public:
       {
         LabelColor color = {};
         std::transform(this->Colors[i]->begin(), this->Colors[i]->end(), color.begin(),
-          [scale](double value) { return static_cast<unsigned char>(scale * value + 0.5); });
+          [scale](double value) { return static_cast<unsigned char>(std::lround(scale * value)); });
         this->Table.Labels[i].Color = color;
       }
     }
@@ -66,7 +77,7 @@ protected:
   std::string Add(
     const std::string& number, const std::string& name, const std::optional<FileColor>& color)
   {
-    const auto label = ParseNumber<std::int64_t>(number);
+    const std::optional<std::int64_t> label = LabelOf(number);
     if (!label)
     {
       return Quoted(number) + " is no label, which is a whole number";
@@ -155,13 +166,17 @@ private:
                                  : ColorAt(words, { { count - 4, count - 3, count - 2 } });
     if (!color)
     {
-      return "it is no row of a color table, which is a label, a name and four numbers";
+      return std::string("it is no row of a color table, which is a label, a name and four "
+                         "numbers") +
+        (this->HasLabels() ? "" : ", and no heading with the columns index and name");
     }
     std::string name = words[1];
     for (std::size_t i = 2; i + 4 < count; ++i)
     {
       name += " " + words[i];
     }
+    const bool isQuoted = name.size() > 1 && name.front() == '"' && name.back() == '"';
+    name = isQuoted ? name.substr(1, name.size() - 2) : name;
     return name == "(none)" ? std::string() : this->Add(words[0], name, color);
   }
 };
@@ -266,7 +281,7 @@ std::string WithPlainLineEnds(const std::string& text)
 /// By the first line that is no comment.
 std::unique_ptr<LineReader> ReaderFor(const std::string& line, bool& isHeading)
 {
-  for (const char separator : { '\t', ',' })
+  for (const char separator : { '\t', ',', ';' })
   {
     auto columns = std::make_unique<Columns>(line, separator);
     if (columns->HasNames())
