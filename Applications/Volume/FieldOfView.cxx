@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <iterator>
 #include <locale>
 #include <sstream>
@@ -177,8 +178,8 @@ std::string FieldOfView::Note() const
   const std::int64_t count = (this->Layers - this->EmptyLayers) * inLayer + this->EmptyLayers * all;
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text.precision(4);
-  text << count << " of its voxels, all outside of a circle with a radius of " << this->Radius
+  text << count << " of its voxels, all outside of a circle with a radius of "
+       << std::setprecision(4) << this->Radius << std::setprecision(7)
        << " mm, have the constant value " << this->Constant
        << ": they were not measured and count as " << this->LeastMeasured()
        << ", the least measured value";
