@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <iterator>
 #include <locale>
 #include <sstream>
@@ -44,11 +45,11 @@ void FieldOfView::Begin(const Volume& slab)
   {
     for (int x = 0; x < size[0]; ++x)
     {
-      const double distance = std::hypot(offset(0, x), offset(1, y));
-      this->RingOf.push_back(static_cast<std::uint32_t>(distance / this->PixelSize));
+      this->Distances.push_back(std::hypot(offset(0, x), offset(1, y)));
     }
   }
-  this->Rings.resize(1 + *std::max_element(this->RingOf.begin(), this->RingOf.end()));
+  const double farthest = *std::max_element(this->Distances.begin(), this->Distances.end());
+  this->Rings.resize(1 + this->RingAt(farthest));
 }
 
 template <typename Scalar>
@@ -67,12 +68,14 @@ void FieldOfView::AddLayer(const Scalar* values)
   }
   for (vtkIdType i = 0; this->IsPossible && i < count; ++i)
   {
-    Ring& ring = this->Rings[this->RingOf[static_cast<std::size_t>(i)]];
+    const double distance = this->Distances[static_cast<std::size_t>(i)];
+    Ring& ring = this->Rings[this->RingAt(distance)];
     ++ring.Voxels;
     if (!IsSame(values[i], this->Constant))
     {
       const auto value = static_cast<double>(values[i]);
       ++ring.Measured;
+      this->Radius = std::max(this->Radius, distance);
       ring.Least = std::min(ring.Least, value);
       ring.Largest = std::max(ring.Largest, value);
     }
@@ -101,22 +104,11 @@ void FieldOfView::Add(const Volume& slab)
   this->NextLayer = extent[5] + 1;
 }
 
-std::size_t FieldOfView::FirstOutside() const
-{
-  std::size_t first = this->Rings.size();
-  while (first > 0 && this->Rings[first - 1].Measured == 0)
-  {
-    --first;
-  }
-  return first;
-}
-
 bool FieldOfView::HasPadding() const
 {
   constexpr std::size_t leastRings = 4;
-  const std::size_t outside = this->IsPossible ? this->FirstOutside() : 0;
-  if (outside < leastRings ||
-    static_cast<double>(outside - 1) * this->PixelSize > this->LargestRadius)
+  const std::size_t outside = this->IsPossible ? this->RingAt(this->Radius) + 1 : 0;
+  if (outside < leastRings || this->Radius > this->LargestRadius)
   {
     return false;
   }
@@ -146,13 +138,12 @@ template <typename Scalar>
 void FieldOfView::ClearLayer(Scalar* values) const
 {
   const vtkIdType count = this->Size[0] * this->Size[1];
-  const std::size_t outside = this->FirstOutside();
   const auto least = static_cast<Scalar>(this->LeastMeasured());
   const bool isEmpty = std::all_of(
     values, values + count, [this](Scalar value) { return IsSame(value, this->Constant); });
   for (vtkIdType i = 0; i < count; ++i)
   {
-    if (isEmpty || this->RingOf[static_cast<std::size_t>(i)] >= outside)
+    if (isEmpty || this->Distances[static_cast<std::size_t>(i)] > this->Radius)
     {
       values[i] = least;
     }
@@ -181,10 +172,9 @@ std::int64_t FieldOfView::Count() const
   {
     return 0;
   }
-  const std::size_t outside = this->FirstOutside();
-  const auto inLayer = std::count_if(this->RingOf.begin(), this->RingOf.end(),
-    [outside](std::uint32_t ring) { return ring >= outside; });
-  const auto all = static_cast<std::int64_t>(this->RingOf.size());
+  const auto inLayer = std::count_if(this->Distances.begin(), this->Distances.end(),
+    [this](double distance) { return distance > this->Radius; });
+  const auto all = static_cast<std::int64_t>(this->Distances.size());
   return (this->Layers - this->EmptyLayers) * inLayer + this->EmptyLayers * all;
 }
 
@@ -194,13 +184,13 @@ std::string FieldOfView::Note() const
   {
     return std::string();
   }
-  const std::size_t outside = this->FirstOutside();
   const std::int64_t count = this->Count();
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << count << " of its voxels, all outside of a circle with a radius of "
-       << static_cast<double>(outside) * this->PixelSize << " mm, have the constant value "
-       << this->Constant << ": they were not measured and count as " << this->LeastMeasured()
+       << std::setprecision(4) << this->Radius << std::setprecision(7)
+       << " mm, have the constant value " << this->Constant
+       << ": they were not measured and count as " << this->LeastMeasured()
        << ", the least measured value";
   if (this->EmptyLayers > 0)
   {

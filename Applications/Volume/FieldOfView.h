@@ -69,15 +69,19 @@ private:
   void AddLayer(const Scalar* values);
   template <typename Scalar>
   void ClearLayer(Scalar* values) const;
-  std::size_t FirstOutside() const; ///< Ring.
+  std::size_t RingAt(double distance) const
+  {
+    return static_cast<std::size_t>(distance / this->PixelSize);
+  }
   double LeastMeasured() const;
 
   double Value;
   bool IsPossible = true;
   double Constant = 0.0;
-  double PixelSize = 0.0;            ///< mm, the larger side.
-  double LargestRadius = 0.0;        ///< mm, of a circle that fits in a layer.
-  std::vector<std::uint32_t> RingOf; ///< Of each voxel of a layer; rings are PixelSize wide.
+  double PixelSize = 0.0;        ///< mm, the larger side.
+  double LargestRadius = 0.0;    ///< mm, of a circle that fits in a layer.
+  double Radius = 0.0;           ///< mm, of the measured voxel that is farthest from the middle.
+  std::vector<double> Distances; ///< mm, of each voxel of a layer from the middle.
   std::array<vtkIdType, 2> Size{ { 0, 0 } };
   std::vector<Ring> Rings;
   std::int64_t Layers = 0;

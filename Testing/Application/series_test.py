@@ -114,9 +114,18 @@ class FieldOfView(ApplicationTest):
                 found, text = self.surface(view(constant, touching=touching))
                 self.assertEqual(found, plain[touching])
                 count = numpy.count_nonzero(view(-5000) == -5000)
-                self.assertIn(f"warning: {count} of its voxels, all outside of a circle with a radius of 31 mm, have the constant value {constant}: "
+                distances = numpy.hypot(*(numpy.indices((64, 64)) - 31.5))
+                radius = distances[view(-5000)[:, :, 0] != -5000].max()
+                self.assertIn(f"warning: {count} of its voxels, all outside of a circle with a radius of {radius:.4g} mm, have the constant value {constant}: "
                               "they were not measured and count as -1000, the least measured value", text)
-                self.assertEqual(self.surface(view(constant, touching=touching), "--memory", "256M")[0][:10], found[:10])
+                self.assertEqual(self.surface(view(constant, touching=touching), "--memory", "256M")[0], found)
+
+    def test_the_circle_ends_anywhere_between_pixels(self):
+        for radius in (24.3, 28.5, 29.7, 31.5):
+            for touching in (False, True):
+                found, text = self.surface(view(3071, radius=radius, touching=touching))
+                self.assertEqual(found, self.surface(view(-1000, radius=radius, touching=touching))[0])
+                self.assertIn(f"warning: {numpy.count_nonzero(view(-5000, radius=radius) == -5000)} of its voxels, all outside", text)
 
     def test_low_constants_are_as_before(self):
         for constant in (-2000, -3024, 0):

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -267,6 +268,40 @@ TEST(SlabSurfaces, AreRejectedWithTheSentenceOfTheWhole)
   WriteMeta(path, scan);
   EXPECT_NE(BoneSlabs(path, 0.5).GetNote(), "");
   EXPECT_EQ(BoneSlabs(path, 0.5).GetNote(), ExtractBoneSurface(path, 0.5).Note);
+}
+
+TEST(BoneSlabs, PaddingOutsideOfTheFieldOfViewIsClearedInSlabs)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.File("a.mha");
+  Scan scan = ScanOf({ { 40, 40, 20 } }, VolumeGeometry());
+  for (std::size_t i = 0; i < scan.Values.size(); ++i)
+  {
+    const std::size_t x = i % 40;
+    const std::size_t y = i / 40 % 40;
+    const double radius = std::hypot(static_cast<double>(x) - 19.5, static_cast<double>(y) - 19.5);
+    const bool isBone = radius < 8.0 && i / 1600 > 4 && i / 1600 < 15;
+    const std::size_t noise = (7 * x + 13 * y) % 40;
+    scan.Values[i] = radius > 18.3 ? short(3000) : static_cast<short>(isBone ? 1000 : noise);
+  }
+  WriteMeta(path, scan);
+  const BoneSurface whole = ExtractBoneSurface(path, 500.0);
+  EXPECT_NE(whole.Note.find("have the constant value 3000"), std::string::npos) << whole.Note;
+  double bounds[6];
+  whole.Surface->GetBounds(bounds);
+  EXPECT_LT(bounds[1], 29.0);
+  BoneSlabs slabs(path, 500.0);
+  EXPECT_EQ(slabs.GetNote(), whole.Note);
+  const std::size_t count = slabs.Divide(1000, 1 << 20);
+  EXPECT_GT(count, 1U);
+  vtkIdType triangles = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const BoneSlab slab = slabs.ReadNext();
+    ASSERT_EQ(slab.Problem, "");
+    triangles += slab.Surface->GetNumberOfPolys();
+  }
+  EXPECT_EQ(triangles, whole.Surface->GetNumberOfPolys());
 }
 }
 }
