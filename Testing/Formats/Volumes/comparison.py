@@ -96,6 +96,8 @@ def against_other(other, ours, expected):
         other.origin = None
     if other.is_in_units and other.origin is not None:
         other.origin, other.steps = other.origin * expected.unit, other.steps * expected.unit
+    if other.is_turned and other.origin is not None and np.linalg.det(ours.steps) * np.linalg.det(other.steps) < 0:
+        other = truth.reversed_layers(other)
     if other.is_label_map and ours.labels["steps"] is not None:
         ours = dataclasses.replace(ours, steps=np.array(ours.labels["steps"]))
     return [(kind, "") for kind in truth.differences(other, ours)]

@@ -47,6 +47,7 @@ class Reading:
     note: str = ""
     labels: dict | None = None  # of ours: problem and grid of the label map
     is_label_map: bool = False  # its axes are made perpendicular
+    is_turned: bool = False  # a mirrored volume has its last layer first
     is_in_units: bool = False  # positions are in the unit of the file, which this reader leaves to its user
 
 
