@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The formats, and the readers that each is compared with."""
 
+import dicom_codecs
 import dicom_files
 import dicom_readers
 import dicom_segment_files
@@ -19,6 +20,8 @@ import vti_files
 
 FORMATS = {"nrrd": nrrd_files, "seg.nrrd": segment_files, "nifti": nifti_files, "metaimage": metaimage_files, "dicom": dicom_files,
            "enhanced": enhanced_files, "seg": dicom_segment_files, "tiff": tiff_files, "vti": vti_files}
+if dicom_codecs.imagecodecs:
+    FORMATS["dicom, compressed"] = dicom_codecs
 
 # Names, modules that have to be installed, functions.
 READERS = {
@@ -41,6 +44,7 @@ READERS = {
              ("VTK", readers.vtk, readers.vtk_tiff)),
     "vti": (("VTK", readers.vtk, readers.vti),),
 }
+READERS["dicom, compressed"] = READERS["dicom"]
 
 
 def readers_of(name):
