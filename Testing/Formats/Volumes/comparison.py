@@ -69,7 +69,8 @@ def reading_of(found, voxels):
     os.remove(voxels)
     segments = [(one["label"], one["name"], one["color"]) for one in found["segments"]]
     labels = {"problem": found["labels"]["problem"], "steps": found["labels"].get("steps")}
-    return truth.Reading(array, np.array(found["origin"]), np.array(found["steps"]), segments, found["note"], labels)
+    layers = np.array(found["layers"]) if found["layers"] else None
+    return truth.Reading(array, np.array(found["origin"]), np.array(found["steps"]), segments, found["note"], layers, labels)
 
 
 def against_truth(ours, expected):

@@ -16,10 +16,11 @@ import segment_files
 import segment_readers
 import slicer_readers
 import tiff_files
+import uneven_files
 import vti_files
 
 FORMATS = {"nrrd": nrrd_files, "seg.nrrd": segment_files, "nifti": nifti_files, "metaimage": metaimage_files, "dicom": dicom_files,
-           "enhanced": enhanced_files, "seg": dicom_segment_files, "tiff": tiff_files, "vti": vti_files}
+           "dicom, uneven": uneven_files, "enhanced": enhanced_files, "seg": dicom_segment_files, "tiff": tiff_files, "vti": vti_files}
 if dicom_codecs.imagecodecs:
     FORMATS["dicom, compressed"] = dicom_codecs
 
@@ -45,6 +46,7 @@ READERS = {
     "vti": (("VTK", readers.vtk, readers.vti),),
 }
 READERS["dicom, compressed"] = READERS["dicom"]
+READERS["dicom, uneven"] = ()
 
 
 def readers_of(name):
