@@ -32,3 +32,9 @@ NATIVE="$program" PACKAGE=build/wasm/npm node --test Testing/Browser/package.tes
 PROGRAMS= PACKAGE=build/wasm/npm python3 -B Testing/Readme/run_tutorial.py Documentation/tutorials/browser.md
 echo "Page"
 /usr/bin/python3 -B Testing/Browser/page_test.py build/wasm/bonedecimate.html ${program:+"$program"}
+driver=build/release/bin/bonedecimate-dump-volume
+if [ -x "$driver" ]; then
+  echo "NIfTI"
+  BONEDECIMATE_PAGE=build/wasm/Applications/Browser/bundle /usr/bin/python3 -B Testing/Formats/compare_volumes.py --format nifti \
+    --variants 300 --driver "$driver"
+fi

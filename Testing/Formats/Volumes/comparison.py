@@ -69,7 +69,8 @@ def reading_of(found, voxels):
     os.remove(voxels)
     segments = [(one["label"], one["name"], one["color"]) for one in found["segments"]]
     labels = {"problem": found["labels"]["problem"], "steps": found["labels"].get("steps")}
-    return truth.Reading(array, np.array(found["origin"]), np.array(found["steps"]), segments, found["note"], labels)
+    layers = np.array(found["layers"]) if found["layers"] else None
+    return truth.Reading(array, np.array(found["origin"]), np.array(found["steps"]), segments, found["note"], layers, labels)
 
 
 def against_truth(ours, expected):
@@ -96,6 +97,8 @@ def against_other(other, ours, expected):
         other.origin = None
     if other.is_in_units and other.origin is not None:
         other.origin, other.steps = other.origin * expected.unit, other.steps * expected.unit
+    if other.is_turned and other.origin is not None and np.linalg.det(ours.steps) * np.linalg.det(other.steps) < 0:
+        other = truth.reversed_layers(other)
     if other.is_label_map and ours.labels["steps"] is not None:
         ours = dataclasses.replace(ours, steps=np.array(ours.labels["steps"]))
     return [(kind, "") for kind in truth.differences(other, ours)]

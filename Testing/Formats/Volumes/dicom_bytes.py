@@ -122,11 +122,14 @@ def encapsulated(frames, has_offsets):
     return data + struct.pack("<HHI", 0xfffe, 0xe0dd, 0)
 
 
+CODERS = {RLE: rle_frame}  # of one frame, by the transfer syntax
+
+
 def pixel_element(values, syntax, vr, columns, size, frames, has_offsets=True):
     """The element of the pixels, to be put at the end. @param values Little endian bytes."""
-    if syntax == RLE:
+    if syntax in CODERS:
         part = len(values) // frames
-        coded = [rle_frame(values[i:i + part], columns, size) for i in range(0, len(values), part)]
+        coded = [CODERS[syntax](values[i:i + part], columns, size) for i in range(0, len(values), part)]
         return struct.pack("<HH", 0x7fe0, 0x10) + b"OB\0\0" + b"\xff" * 4 + encapsulated(coded, has_offsets)
     if syntax == BIG and size == 2 and vr == "OW":
         swapped = bytearray(values)

@@ -13,6 +13,9 @@ SYNTAXES = {"explicit": dicom_bytes.EXPLICIT, "implicit": dicom_bytes.IMPLICIT, 
 # Bits allocated, stored; signed.
 PIXELS = {"12 of 16": (16, 12, 0), "16": (16, 16, 0), "16 signed": (16, 16, 1), "12 of 16 signed": (16, 12, 1), "8": (8, 8, 0),
           "8 signed": (8, 8, 1)}
+# Heights of slices whose distances change, in distances of slices (uneven_files.py).
+HEIGHTS = {"finer below": (0, 1, 2, 3, 5, 7, 9), "finer above": (0, 2, 4, 6, 7, 8, 9), "one missing at the end": (0, 1, 2, 3, 4, 5, 7),
+           "every third missing": (0, 1, 3, 4, 6, 7, 9)}
 CHOICES = {
     "syntax": list(SYNTAXES),
     "pixels": list(PIXELS),
@@ -182,7 +185,8 @@ def write_others(folder, choice, data, first):
 
 def positions(choice, origin, steps):
     """Of the slices that are written, with their index."""
-    located = [(k, origin + k * steps[2]) for k in range(truth.SIZE[2])]
+    heights = HEIGHTS.get(choice["slices"], range(truth.SIZE[2]))
+    located = [(k, origin + height * steps[2]) for k, height in enumerate(heights)]
     if choice["slices"] == "one missing":
         del located[3]
     if choice["slices"] == "one aside":
@@ -202,7 +206,7 @@ def notes_of(choice):
 
 def rejection(choice):
     return truth.sentences(
-        (choice["slices"] == "one missing", "its slices are not evenly spaced"),
+        ("missing" in choice["slices"], "its slices are not evenly spaced"),
         (choice["slices"] == "one aside", "beside the line"),
         (choice["slices"] == "at one position", "at the same position"))
 
@@ -225,4 +229,10 @@ def write(folder, choice, random):
         first = first or content
         (series / name).write_bytes(content)
     write_others(series, choice, data, first)
-    return series, truth.Truth(scaled(stored, choice, padding), origin, steps, rejected=rejection(choice), notes=notes_of(choice))
+    expected = truth.Truth(scaled(stored, choice, padding), origin, steps, rejected=rejection(choice), notes=notes_of(choice))
+    if choice["slices"] in HEIGHTS:
+        heights = np.array(HEIGHTS[choice["slices"]])
+        mean = heights[-1] / (len(heights) - 1)
+        expected.steps, expected.layers = steps * [[1], [1], [mean]], heights / mean
+        expected.notes += ("they are read where they are",)
+    return series, expected

@@ -7,7 +7,7 @@ import pathlib
 import numpy as np
 
 from readers import SimpleITK, optional
-from truth import Reading, NotRead, reversed_layers
+from truth import NotRead, Reading, reversed_layers
 
 pydicom = optional("pydicom")
 highdicom = optional("highdicom")

@@ -5,7 +5,7 @@
 import numpy as np
 
 from readers import LPS, array_of, matrix_of, optional
-from truth import AXES, Reading, NotRead, reversed_layers
+from truth import NotRead, Reading
 
 slicer_core = optional("slicer_core")
 
@@ -20,9 +20,13 @@ def volume(path, choice):
     matrix = vtk.vtkMatrix4x4()
     node.GetIJKToRASMatrix(matrix)
     affine = matrix_of(matrix)
-    reading = Reading(array_of(node.GetImageData()), affine[:3, 3] * LPS, affine[:3, :3].T * LPS, is_in_units=True)
-    is_mirrored = choice["geometry"] == "directions" and np.linalg.det(AXES[choice["axes"]]) < 0
-    return reversed_layers(reading) if is_mirrored else reading  # it turns mirrored volumes
+    return Reading(array_of(node.GetImageData()), affine[:3, 3] * LPS, affine[:3, :3].T * LPS, is_in_units=True, is_turned=True)
+
+
+def volume_in_mm(path, choice):
+    reading = volume(path, choice)
+    reading.is_in_units = False
+    return reading
 
 
 def segmentation(path, choice):

@@ -29,6 +29,7 @@ AXES = {
 
 # The sentences of what is not read as a label map. Change them here when it is read.
 SHEARED_LABELS = "its axes are not perpendicular"
+UNEVEN_LABELS = "its slices are not evenly spaced"
 LARGEST_COSINE = 1e-3  # of axes that count as perpendicular
 
 
@@ -45,8 +46,10 @@ class Reading:
     steps: np.ndarray | None = None
     segments: list | None = None  # of (label, name, color)
     note: str = ""
+    layers: np.ndarray | None = None  # where they lie, in steps; None: at 0, 1, 2 and so on
     labels: dict | None = None  # of ours: problem and grid of the label map
     is_label_map: bool = False  # its axes are made perpendicular
+    is_turned: bool = False  # a mirrored volume has its last layer first
     is_in_units: bool = False  # positions are in the unit of the file, which this reader leaves to its user
 
 
@@ -137,6 +140,10 @@ def label_differences(found, expected):
     """Of ours: the grid as a label map, whose axes are perpendicular."""
     if found.labels is None or expected.steps is None:
         return []
+    if expected.layers is not None:
+        is_at_layers = found.layers is not None and np.allclose(found.layers, expected.layers, atol=1e-3)
+        kinds = [] if is_at_layers else ["positions of layers"]
+        return kinds + ([] if found.labels["problem"].startswith(UNEVEN_LABELS) else ["uneven labels"])
     is_sheared = largest_cosine(expected.steps) > LARGEST_COSINE
     if is_sheared or found.labels["problem"].startswith(SHEARED_LABELS):
         return [] if is_sheared == found.labels["problem"].startswith(SHEARED_LABELS) else ["shear of labels"]
