@@ -86,6 +86,8 @@ TEST(LabelSlabs, JoinedTheyAreTheSurfacesOfTheWhole)
     LabelMap oblique = EllipsoidLabels({ 24, 20, 22 });
     oblique.Grid = ObliqueGrid({ 24, 20, 22 }, true);
     ExpectJoinedToBeTheWhole(oblique, options);
+    oblique.Grid = Uneven(ShearedGrid({ 24, 20, 22 }, true));
+    ExpectJoinedToBeTheWhole(oblique, options);
   }
 }
 

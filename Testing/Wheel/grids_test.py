@@ -57,7 +57,7 @@ class Grids(unittest.TestCase):
             found = sum(label * is_inside(coarse.label(label), bones.grid) for label in (2, 7))
             self.assertEqual(check_voxels(coarse, bones).changed, np.count_nonzero(found != halves().ravel()))
             with self.assertRaisesRegex(ValueError, "another voxel grid"):
-                check_voxels(surfaces, LabelMap(halves(), spacing=SPACING, origin=ORIGIN))
+                decimate(surfaces, label_map=LabelMap(halves(), spacing=SPACING, origin=ORIGIN), max_error=0.25)
 
     def test_an_affine_matrix_may_be_sheared(self):
         affine = np.eye(4)
