@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace bonedecimate
 {
@@ -47,9 +46,13 @@ PlyArrays::PlyArrays(const PlyElement& element, Kind kind)
     this->AddGroup(element, "Normals", vtkDataSetAttributes::NORMALS, { "nx", "ny", "nz" });
     const std::vector<std::string> textures[] = { { "u", "v" }, { "s", "t" },
       { "texture_u", "texture_v" } }; // of VTK, Blender and MeshLab
-    std::find_if(std::begin(textures), std::end(textures),
-      [this, &element](const std::vector<std::string>& names)
-      { return this->AddGroup(element, "TCoords", vtkDataSetAttributes::TCOORDS, names); });
+    for (const std::vector<std::string>& names : textures)
+    {
+      if (this->AddGroup(element, "TCoords", vtkDataSetAttributes::TCOORDS, names))
+      {
+        break;
+      }
+    }
   }
   else
   {
