@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What of an input is not in the proved surface is part of the proof's sentence, wherever something is proved."""
 
+import html
 import re
 import zipfile
 
@@ -28,7 +29,7 @@ class WhatIsLeftOut(ApplicationTest):
         entries = report.get("left_out", [])
         [proved] = re.findall(r"(?m)^proved +(.*)$", said.stdout)
         self.assertEqual(proved, report["proof"]["sentence"])
-        page = self.path("page.html").read_text()
+        page = html.unescape(self.path("page.html").read_text())
         for entry in entries:
             is_covered = entry.get("distance", np.inf) <= report["proof"]["upper"]
             self.assertEqual(entry["sentence"] in proved, not is_covered, proved)
@@ -74,8 +75,8 @@ class WhatIsLeftOut(ApplicationTest):
             parts = {name: package.read(name) for name in package.namelist()}
         [model] = [name for name in parts if name.endswith(".model")]
         text = parts[model].decode()
-        unused = re.search(r"<object .*?</object>", text, re.S).group().replace(' id="1"', ' id="77"', 1)
-        self.assertIn('id="77"', unused)
+        unused = re.search(r"<object .*?</object>", text, re.S).group().replace(' id="2"', ' id="77"', 1)
+        self.assertTrue('id="77"' in unused)
         parts[model] = text.replace("</resources>", unused + "</resources>").encode()
         with zipfile.ZipFile(self.path("in.3mf"), "w") as package:
             for name, content in parts.items():

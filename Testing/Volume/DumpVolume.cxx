@@ -55,7 +55,7 @@ nlohmann::ordered_json LabelsOf(const volume::Volume& read)
   labels["values"] = volume::MakeWholeLabels(read.Image).Problem;
   if (labels["problem"] == "")
   {
-    SetLabelGrid(geometry, read.Image);
+    SetLabelGrid(geometry, read.Layers, read.Image);
     nlohmann::ordered_json steps = nlohmann::ordered_json::array();
     for (int axis = 0; axis < 3; ++axis)
     {
