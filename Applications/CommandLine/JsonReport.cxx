@@ -139,6 +139,7 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   report["command_line"] = CommandLineOf(subject);
   AddSettingsTo(report, subject.Settings);
   report["warnings"] = subject.Warnings;
+  report["notes"] = subject.Notes;
   if (subject.Slabs)
   {
     report["slabs"] = { { "count", subject.Slabs->Slabs },

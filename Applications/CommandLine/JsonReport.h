@@ -34,6 +34,7 @@ struct ReportSubject
   std::map<std::string, std::string> Given; ///< The options of the command line, by flag.
   SettingsRecord Settings;                  ///< Where some of them are from.
   std::vector<std::string> Warnings;
+  std::vector<std::string> Notes; ///< What was done as the user wants it, and what formats lack.
   /// Of each surface that was written after it had been proved: see ProveWritten().
   std::map<std::string, std::string> ProvedFiles;
   std::vector<SegmentRecord> Segments; ///< Of a label map.
@@ -51,7 +52,7 @@ ReportSubject SubjectOf(
 /**
  * The report in the field data of a result (output port 0 of vtkBoneDecimate), nested at the dots
  * of its names, with "units" of the entries that have one, and the subject as "files",
- * "command_line", "warnings" and "seconds".
+ * "command_line", "warnings", "notes" and "seconds".
  */
 std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject);
 

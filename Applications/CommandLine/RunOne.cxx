@@ -178,7 +178,7 @@ public:
       const std::string loss = LossText(this->Rounding.GetInFile(), *format);
       if (!loss.empty())
       {
-        this->Notes.push_back(loss);
+        this->Subject.Notes.push_back(loss);
       }
     }
     if (files.Heatmap)
@@ -234,7 +234,7 @@ public:
   {
     if (!this->Requested.Quiet)
     {
-      PrintSummary(this->Result, this->Subject, this->Notes, written);
+      PrintSummary(this->Result, this->Subject, written);
     }
     if (this->Requested.PictureIsRequired && !this->Requested.Picture.empty() &&
       !this->PictureProblem.empty())
@@ -258,10 +258,10 @@ private:
     }
     this->Rounding.Apply(result, this->Filter);
     this->Result = this->Rounding.GetResult();
-    this->Notes = this->Rounding.GetNotes();
+    this->Subject.Notes = this->Rounding.GetNotes();
     if (!this->Remark.empty())
     {
-      this->Notes.push_back(this->Remark);
+      this->Subject.Notes.push_back(this->Remark);
     }
     const std::vector<std::string>& warnings = this->Rounding.GetWarnings();
     this->Subject.Warnings.insert(this->Subject.Warnings.end(), warnings.begin(), warnings.end());
@@ -328,7 +328,6 @@ private:
   vtkSmartPointer<vtkPolyData> Result;
 
   std::string Remark; // on the input
-  std::vector<std::string> Notes;
   std::string PictureProblem;
 };
 }

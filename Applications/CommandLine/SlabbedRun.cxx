@@ -92,7 +92,7 @@ public:
       const std::string loss = LossText(this->Result, *format);
       if (!loss.empty())
       {
-        this->Notes.push_back(loss);
+        this->Subject.Notes.push_back(loss);
       }
     }
     if (!WritesSegments(this->Requested))
@@ -113,7 +113,7 @@ public:
   {
     if (!this->Requested.Quiet)
     {
-      PrintSummary(this->Result, this->Subject, this->Notes, written);
+      PrintSummary(this->Result, this->Subject, written);
     }
   }
 
@@ -162,7 +162,7 @@ private:
     }
     if (!this->Source->GetRemark().empty())
     {
-      this->Notes.push_back(this->Source->GetRemark());
+      this->Subject.Notes.push_back(this->Source->GetRemark());
     }
   }
 
@@ -183,7 +183,6 @@ private:
   std::unique_ptr<SlabSource> Source;
   SlabPlan Plan;
   vtkSmartPointer<vtkPolyData> Result;
-  std::vector<std::string> Notes;
 };
 }
 

@@ -261,8 +261,8 @@ void PrintCoordinates(const ReportSubject& subject)
 }
 }
 
-void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
-  const std::vector<std::string>& notes, const std::vector<std::string>& written)
+void PrintSummary(
+  vtkPolyData* result, const ReportSubject& subject, const std::vector<std::string>& written)
 {
   const ReportFields report(result);
   const auto seconds = [&report](const char* name)
@@ -306,7 +306,7 @@ void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
   {
     std::cout << "written         " << PlainText(file) << "\n";
   }
-  for (const std::string& note : notes)
+  for (const std::string& note : subject.Notes)
   {
     std::cout << "note: " << PlainText(note) << "\n";
   }

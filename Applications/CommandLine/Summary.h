@@ -18,11 +18,10 @@ namespace bonedecimate
 {
 /**
  * @param result Output port 0 of vtkBoneDecimate.
- * @param notes What a format could not hold.
  * @param written The files, in the order in which they are named.
  */
-void PrintSummary(vtkPolyData* result, const ReportSubject& subject,
-  const std::vector<std::string>& notes, const std::vector<std::string>& written);
+void PrintSummary(
+  vtkPolyData* result, const ReportSubject& subject, const std::vector<std::string>& written);
 }
 
 #endif

@@ -305,7 +305,7 @@ int vtkBoneDecimate::RequestData(vtkInformation* vtkNotUsed(request),
   // A part has boundaries of its own.
   this->Warn(this->Part
       ? bonedecimate::InputWarnings(this->State->Report)
-      : bonedecimate::RunWarnings(read.Converted.Surface, result, options.NumberOfThreads));
+      : bonedecimate::RunWarnings(read.Converted.Surface, result.Report, options.NumberOfThreads));
   FillOutputs(result, read.Converted, options, read.Inputs.LabelMap, input, outputVector);
   const bool isContinued = this->Part && this->Part->Part.Reference != nullptr;
   if (const std::string contradiction = bonedecimate::ProofMessage(result.Report);

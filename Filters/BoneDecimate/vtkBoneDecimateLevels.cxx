@@ -319,7 +319,7 @@ bool vtkBoneDecimateLevels::Record()
     return false;
   }
   this->Warn(
-    bonedecimate::RunWarnings(converted.Surface, run, this->State->Options.NumberOfThreads));
+    bonedecimate::RunWarnings(converted.Surface, run.Report, this->State->Options.NumberOfThreads));
   const std::string contradiction = bonedecimate::ProofMessage(run.Report);
   if (!contradiction.empty())
   {

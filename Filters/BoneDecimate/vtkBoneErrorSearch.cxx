@@ -211,7 +211,7 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   this->Warn(converted.Warnings);
   this->Warn(bonedecimate::ArrayWarnings(input, options.Run));
   this->Warn(
-    bonedecimate::RunWarnings(converted.Surface, found.Found, options.Run.NumberOfThreads));
+    bonedecimate::RunWarnings(converted.Surface, found.Found.Report, options.Run.NumberOfThreads));
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
   this->ErrorTriedInVain = found.TriedInVain;

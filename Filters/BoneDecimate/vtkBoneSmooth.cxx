@@ -113,7 +113,7 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   warnings.insert(warnings.end(), renamed.begin(), renamed.end());
   this->State->Keep(result.Report);
   const std::vector<std::string> ofRun =
-    RunWarnings(converted.Surface, result, options.NumberOfThreads);
+    RunWarnings(converted.Surface, result.Report, options.NumberOfThreads);
   warnings.insert(warnings.end(), ofRun.begin(), ofRun.end());
   if (!this->Accept(warnings))
   {

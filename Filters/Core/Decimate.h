@@ -48,14 +48,6 @@ struct SurfaceOrigins
     OutputPoint; ///< Of each input point: the one it became part of, None if no triangle used it.
 };
 
-/// What welding changed before the first edit (WeldRun.h).
-struct WeldFigures
-{
-  bool HasRun = false;     ///< If false, all other members are meaningless.
-  std::int64_t Points = 0; ///< How many moved.
-  double Movement = 0.0;   ///< mm, how far one moved at most; part of what is proved.
-};
-
 /// What a run made of a surface.
 struct Result
 {
@@ -80,7 +72,6 @@ struct Result
   /// without a reference.
   std::vector<double> InputErrorBound;
   bonedecimate::Report Report; ///< Status, figures and warnings of the run.
-  WeldFigures Weld;
 };
 
 /// What a run knows if its input is a part of a larger surface, and other runs have the other parts.

@@ -7,10 +7,9 @@
 
 namespace bonedecimate
 {
-std::vector<std::string> RunWarnings(const Surface& input, const Result& result, int threads)
+std::vector<std::string> RunWarnings(const Surface& input, const Report& report, int threads)
 {
-  const Report& report = result.Report;
-  std::vector<std::string> warnings = WeldSentences(result.Weld);
+  std::vector<std::string> warnings = WeldSentences(report.Weld);
   const std::vector<std::string> ofInput = InputWarnings(report);
   warnings.insert(warnings.end(), ofInput.begin(), ofInput.end());
   if (report.Status == InputStatus::Good)

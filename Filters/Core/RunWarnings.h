@@ -7,7 +7,8 @@
 #ifndef BoneDecimate_Core_RunWarnings_h
 #define BoneDecimate_Core_RunWarnings_h
 
-#include "Decimate.h"
+#include "Report/Report.h"
+#include "Surface.h"
 
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@
 namespace bonedecimate
 {
 /// WeldSentences(), InputWarnings() and SurfaceHints(), a sentence each. @param input Before welding and cleaning.
-std::vector<std::string> RunWarnings(const Surface& input, const Result& result, int threads = 0);
+std::vector<std::string> RunWarnings(const Surface& input, const Report& report, int threads = 0);
 }
 
 #endif

@@ -276,8 +276,8 @@ Result CloseTunnelsThenRun(const Surface& input, const Options& options, const M
   {
     Result result;
     result.Report.Requested = options;
-    result.Report.Status = InputStatus::CannotCloseTunnels;
-    result.Report.Tunnels.Conflict = conflict;
+    result.Report.Status = InputStatus::OptionConflict;
+    result.Report.Conflict = conflict;
     return result;
   }
   return TunnelRun(input, options, monitor, inputs, run).Run();

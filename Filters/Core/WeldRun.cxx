@@ -53,8 +53,8 @@ public:
     const double seconds = clock.Seconds();
     Result result = run(isChanged ? this->Welded : this->Input, rest, monitor, inputs);
     result.Report.Requested = this->Requested;
-    result.Weld = this->Figures;
-    result.Weld.HasRun = isRead;
+    result.Report.Weld = this->Figures;
+    result.Report.Weld.HasRun = isRead;
     if (isChanged)
     {
       this->Widen(rest, result);
@@ -68,8 +68,8 @@ public:
   {
     Result result;
     result.Report.Requested = options;
-    result.Report.Status = InputStatus::CannotCloseTunnels; // whose sentence is any conflict
-    result.Report.Tunnels.Conflict = reason;
+    result.Report.Status = InputStatus::OptionConflict;
+    result.Report.Conflict = reason;
     return result;
   }
 

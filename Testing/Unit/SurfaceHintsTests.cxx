@@ -20,7 +20,7 @@ std::string WarningsOf(const Surface& surface)
   Options options;
   options.MeasureDistances = false;
   std::string all;
-  for (const std::string& warning : RunWarnings(surface, Decimate(surface, options), 1))
+  for (const std::string& warning : RunWarnings(surface, Decimate(surface, options).Report, 1))
   {
     all += warning + "\n";
   }

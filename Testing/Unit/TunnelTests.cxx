@@ -322,7 +322,7 @@ TEST(Tunnels, AreNotClosedWithWhatDoesNotGoWithThem)
   for (const RunInputs& inputs : { recorded, compared, divided, mapped })
   {
     const Result result = Decimate(plate, Closing(2.0), {}, inputs);
-    EXPECT_EQ(result.Report.Status, InputStatus::CannotCloseTunnels);
+    EXPECT_EQ(result.Report.Status, InputStatus::OptionConflict);
     EXPECT_TRUE(result.Surface.Triangles.empty());
     messages.insert(InputMessage(result.Report));
   }

@@ -140,7 +140,7 @@ val RunDecimate(const val& surface, const val& given, const val& progress)
   const Surface input = ToSurface(surface);
   const Result result = Decimate(input, options, MonitorOf(progress), inputs);
   val to = FromResult(result, options.WritesSingle(inputs.InputIsSingle));
-  to.set("warnings", ToTexts(RunWarnings(input, result, options.NumberOfThreads)));
+  to.set("warnings", ToTexts(RunWarnings(input, result.Report, options.NumberOfThreads)));
   if (source && !result.BoundaryLabels.empty())
   {
     to.set("boundaryLabels", ToArray<Index>(result.BoundaryLabels));

@@ -92,7 +92,7 @@ nb::dict ToDict(Result&& result, const Surface& input, int threads)
 {
   nb::dict fields;
   AddReport(result.Report, fields);
-  fields["warnings"] = RunWarnings(input, result, threads);
+  fields["warnings"] = RunWarnings(input, result.Report, threads);
   fields["points"] = ToRows<double>(std::move(result.Surface.Points));
   fields["triangles"] = ToRows<Index>(std::move(result.Surface.Triangles));
   fields["distance"] = ToArray(std::move(result.Distance));

@@ -267,8 +267,8 @@ std::string InputMessage(const Report& report)
     case InputStatus::NoVoxelGrid:
       return "KeepVoxels is on, but the surface has no voxel grid: give its label map, extract it "
              "with vtkBoneSurfaces, which stores the grid, or set KeepVoxels to Auto or Off";
-    case InputStatus::CannotCloseTunnels:
-      return report.Tunnels.Conflict;
+    case InputStatus::OptionConflict:
+      return report.Conflict;
     case InputStatus::InvalidOption:
       return CheckOptions(report.Requested);
   }

@@ -50,7 +50,7 @@ enum class InputStatus : int
   ErrorBelowSize, ///< The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
   BadLabelMap, ///< A grid that is not valid, labels that are not one pair for each triangle, or a surface far from the grid.
   NoVoxelGrid, ///< KeepVoxels is On and no grid is known.
-  CannotCloseTunnels, ///< TunnelSize with something that does not go with it; TunnelFigures::Conflict.
+  OptionConflict, ///< An option that does not go with another one or with an input; Report::Conflict.
   InvalidOption       ///< A value is outside of the range of its option.
 };
 
@@ -157,6 +157,14 @@ struct ReferenceFigures
   std::int64_t Faces = 0;
   std::uint64_t Checksum = 0; ///< Computed like that of the input.
   ProvedDistance ToInput;     ///< mm, between reference and input, the larger direction.
+};
+
+/// What welding changed before the first edit (WeldRun.h).
+struct WeldFigures
+{
+  bool HasRun = false;     ///< If false, all other members are meaningless.
+  std::int64_t Points = 0; ///< How many moved.
+  double Movement = 0.0;   ///< mm, how far one moved at most; part of what is proved.
 };
 
 /// A component that was removed by pruning.
@@ -335,6 +343,8 @@ struct Report
   std::vector<LabelArea> Labels; ///< Empty without labels.
   ErrorProof Proof;              ///< Relative to the reference, if there is one.
   ReferenceFigures Reference;
+  WeldFigures Weld;
+  std::string Conflict; ///< A sentence, with InputStatus::OptionConflict.
   /// What of the input, or of the reference, the proof does not cover.
   std::vector<bonedecimate::LeftOut> LeftOut;
   VoxelFigures Voxel;

@@ -320,6 +320,11 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
     AddPruned(entries, report.Pruned);
   }
   AddTunnels(entries, report.Tunnels);
+  if (report.Weld.HasRun)
+  {
+    entries.push_back({ "weld.points", "", report.Weld.Points });
+    entries.push_back({ "weld.movement", "mm", report.Weld.Movement });
+  }
   AddSurface(entries, "output", report.Output);
   entries.push_back({ "output.checksum", "", TriangleChecksumText(report.OutputChecksum) });
   if (report.DistancesMeasured)

@@ -37,6 +37,7 @@ struct ReportEntry
  *              .N.{first_points, first_triangles}.K
  *     pruned   .{components, faces}, if pruning was requested
  *              .list.N.{faces, size, area, volume, center.{0, 1, 2}} of the thousand largest
+ *     weld     .{points, movement}, with WeldDistance
  *     output   .{faces ... volume, checksum}
  *     distance .{output_to_input, input_to_output}
  *                .{max, second, mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}
