@@ -15,7 +15,7 @@
 #include "InputHints.h"
 #include "Interruption.h"
 #include "JsonReport.h"
-#include "LeftOutCells.h"
+#include "LeftOutOfReader.h"
 #include "OutputFiles.h"
 #include "OutputRounding.h"
 #include "PageSurfaces.h"

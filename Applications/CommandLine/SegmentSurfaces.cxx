@@ -4,7 +4,7 @@
 
 #include "FilterRun.h"
 #include "LabelMapArguments.h"
-#include "LeftOutCells.h"
+#include "LeftOutOfReader.h"
 #include "NamedLabels.h"
 #include "SegmentChoice.h"
 

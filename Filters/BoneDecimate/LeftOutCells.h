@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LeftOutCells.h
- * @brief What of a vtkPolyData is no surface to be proved: cells without a triangle, lines, vertices, and what the reader of its file
- *        left out.
- *
- * A reader says so in the field array BoneDecimateLeftOut: four texts for each entry, its kind, count, noun and place
- * (Report/LeftOut.h). The report of a run takes them over, and the array ends there.
+ * @brief What of a vtkPolyData is no surface to be proved: cells without a triangle, lines, vertices, and what the reader of its
+ *        file left out (LeftOutOfReader.h).
  */
 #ifndef LeftOutCells_h
 #define LeftOutCells_h
@@ -16,7 +13,6 @@
 
 #include <vector>
 
-class vtkFieldData;
 class vtkPolyData;
 
 namespace bonedecimate
@@ -24,13 +20,6 @@ namespace bonedecimate
 /// In the order polygons, lines, vertices, and then what the reader left out.
 std::vector<LeftOutShape> FindLeftOut(
   vtkPolyData* input, const std::vector<Vector3>& points, const TriangulatedCells& cells);
-
-/// Adds an entry of a reader, unless its count is 0; its distance is not known.
-void AddLeftOutOfReader(const LeftOut& entry, vtkPolyData* surface);
-
-std::vector<LeftOut> LeftOutOfReader(vtkPolyData* surface);
-
-void RemoveLeftOutOfReader(vtkFieldData* fieldData);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "CellVisits.h"
 #include "DataTransfer.h"
 #include "LeftOutCells.h"
+#include "LeftOutOfReader.h"
 #include "Options/OptionTable.h"
 #include "PassedCells.h"
 #include "PassedNames.h"

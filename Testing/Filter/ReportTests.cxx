@@ -61,6 +61,7 @@ std::string NameOf(FilterRun& run, int entry)
 {
   return run->GetReportEntryName(entry);
 }
+}
 
 TEST(Report, CountsBothSurfacesLikeVtk)
 {

@@ -51,21 +51,17 @@ nlohmann::ordered_json LabelsOf(const volume::Volume& read)
 {
   const volume::VolumeGeometry& geometry = read.Geometry;
   nlohmann::ordered_json labels;
-  labels["problem"] = LabelGridProblem(geometry, read.Layers);
   labels["values"] = volume::MakeWholeLabels(read.Image).Problem;
-  if (labels["problem"] == "")
+  SetLabelGrid(geometry, read.Layers, read.Image);
+  nlohmann::ordered_json steps = nlohmann::ordered_json::array();
+  for (int axis = 0; axis < 3; ++axis)
   {
-    SetLabelGrid(geometry, read.Layers, read.Image);
-    nlohmann::ordered_json steps = nlohmann::ordered_json::array();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double spacing = read.Image->GetSpacing()[axis];
-      vtkMatrix3x3* const direction = read.Image->GetDirectionMatrix();
-      steps.push_back({ direction->GetElement(0, axis) * spacing,
-        direction->GetElement(1, axis) * spacing, direction->GetElement(2, axis) * spacing });
-    }
-    labels["steps"] = steps;
+    const double spacing = read.Image->GetSpacing()[axis];
+    vtkMatrix3x3* const direction = read.Image->GetDirectionMatrix();
+    steps.push_back({ direction->GetElement(0, axis) * spacing,
+      direction->GetElement(1, axis) * spacing, direction->GetElement(2, axis) * spacing });
   }
+  labels["steps"] = steps;
   return labels;
 }
 

@@ -6,7 +6,7 @@
 
 #include "FileChecks.h"
 #include "GlbFiles.h"
-#include "LeftOutCells.h"
+#include "LeftOutOfReader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 /// Not read by VTK, whose reader rounds coordinates to single precision.
 #include "FileChecks.h"
 #include "FileFrame.h"
-#include "LeftOutCells.h"
+#include "LeftOutOfReader.h"
 #include "LineReader.h"
 #include "ObjCells.h"
 #include "Options/Text.h"

@@ -5,7 +5,7 @@
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
 #include "FileFrame.h"
-#include "LeftOutCells.h"
+#include "LeftOutOfReader.h"
 #include "PlyArrays.h"
 #include "PlyElementReader.h"
 #include "SurfaceReaders.h"

@@ -6,7 +6,7 @@
 #include "FileChecks.h"
 #include "FileParts.h"
 #include "FilePath.h"
-#include "LeftOutCells.h"
+#include "LeftOutOfReader.h"
 #include "ThreeMfFiles.h"
 #include "ThreeMfModel.h"
 

@@ -68,7 +68,7 @@ def reading_of(found, voxels):
     array = np.fromfile(voxels, TYPES[found["type"]]).reshape(found["size"], order="F")
     os.remove(voxels)
     segments = [(one["label"], one["name"], one["color"]) for one in found["segments"]]
-    labels = {"problem": found["labels"]["problem"], "steps": found["labels"].get("steps")}
+    labels = {"steps": found["labels"].get("steps")}
     layers = np.array(found["layers"]) if found["layers"] else None
     return truth.Reading(array, np.array(found["origin"]), np.array(found["steps"]), segments, found["note"], layers, labels)
 
