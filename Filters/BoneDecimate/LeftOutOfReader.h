@@ -4,7 +4,7 @@
  * @file LeftOutOfReader.h
  * @brief What the reader of a file left out of a surface.
  *
- * It is in the field array BoneDecimateLeftOut: four texts for each entry, its kind, count, noun and place (Report/LeftOut.h).
+ * It is in the field array BoneDecimateLeftOut: four texts for each entry, its kind, count, noun and where the first is (Report/LeftOut.h).
  * The report of a run takes them over, and the array ends there.
  */
 #ifndef LeftOutOfReader_h

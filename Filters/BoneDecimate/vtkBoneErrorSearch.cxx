@@ -47,6 +47,17 @@ bonedecimate::ConvertedSurface ReferenceOf(vtkPolyData* data)
   return data != nullptr ? bonedecimate::ToSurface(data, 0) : bonedecimate::ConvertedSurface();
 }
 
+void FillSurface(const bonedecimate::Result& result,
+  const bonedecimate::ConvertedSurface& converted, const bonedecimate::Options& options,
+  const bonedecimate::LabelMapOfRun& map, vtkPolyData* input, vtkPolyData* output)
+{
+  bonedecimate::FillOutput(result, converted, options, converted.IsSingle, input, output);
+  if (map.Known() != nullptr)
+  {
+    bonedecimate::PassLabelMapArrays(map.Source, result.BoundaryLabels, output);
+  }
+}
+
 void FillTable(const std::vector<bonedecimate::ErrorTrial>& trials, vtkTable* table)
 {
   using Trial = bonedecimate::ErrorTrial;
@@ -215,13 +226,8 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
   this->ErrorTriedInVain = found.TriedInVain;
-  bonedecimate::FillOutput(found.Found, converted, options.Run, converted.IsSingle, input,
-    vtkPolyData::GetData(outputVector, 0));
-  if (map.Known() != nullptr)
-  {
-    bonedecimate::PassLabelMapArrays(
-      map.Source, found.Found.BoundaryLabels, vtkPolyData::GetData(outputVector, 0));
-  }
+  FillSurface(
+    found.Found, converted, options.Run, map, input, vtkPolyData::GetData(outputVector, 0));
   FillTable(found.Trials, vtkTable::GetData(outputVector, 1));
   return 1;
 }

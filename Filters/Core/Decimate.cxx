@@ -8,7 +8,6 @@
 #include "Input/PrepareInput.h"
 #include "Input/VoxelSize.h"
 #include "Mesh/Checksum.h"
-#include "Mesh/SurfaceAssembly.h"
 #include "Mesh/TriangleShapes.h"
 #include "Options/OptionTable.h"
 #include "Output/Evaluation.h"
@@ -349,21 +348,20 @@ Result DecimateWhole(
 Result Decimate(
   const Surface& input, const Options& options, const Monitor& monitor, const RunInputs& inputs)
 {
-  if (!CheckOptions(options).empty())
+  Result result;
+  result.Report.Requested = options;
+  result.Report.Status = InputStatus::InvalidOption;
+  if (CheckOptions(options).empty())
   {
-    Result result;
-    result.Report.Requested = options;
-    result.Report.Status = InputStatus::InvalidOption;
-    return result;
+    const WholeRun runRegions =
+      [](const Surface& closed, const Options& rest, const Monitor& follow, const RunInputs& with)
+    { return DecimateRegions(closed, rest, follow, with, DecimateWhole); };
+    result = WeldThenRun(input, options, monitor, inputs,
+      [&runRegions](
+        const Surface& welded, const Options& rest, const Monitor& follow, const RunInputs& with)
+      { return CloseTunnelsThenRun(welded, rest, follow, with, runRegions); });
+    result.Report.OutputChecksum = TriangleChecksum(result.Surface, options.NumberOfThreads);
   }
-  const WholeRun runRegions =
-    [](const Surface& closed, const Options& rest, const Monitor& follow, const RunInputs& with)
-  { return DecimateRegions(closed, rest, follow, with, DecimateWhole); };
-  Result result = WeldThenRun(input, options, monitor, inputs,
-    [&runRegions](
-      const Surface& welded, const Options& rest, const Monitor& follow, const RunInputs& with)
-    { return CloseTunnelsThenRun(welded, rest, follow, with, runRegions); });
-  result.Report.OutputChecksum = TriangleChecksum(result.Surface, options.NumberOfThreads);
   return result;
 }
 

@@ -97,7 +97,7 @@ class AProof(ApplicationTest):
         self.assertIn("report in the file   " + found, said)
         return found
 
-    def test_is_given_with_the_surface_it_was_made_for(self):
+    def test_comes_with_the_surface_it_was_made_for(self):
         self.assertRegex(self.report_in("out.vtp"), r"^<= 0\.\d+ mm in both directions$")
         write(in_other_order(read(self.path("out.vtp"))), self.path("again.vtp"))
         self.assertRegex(self.report_in("again.vtp"), r"^<= 0\.\d+ mm in both directions$")

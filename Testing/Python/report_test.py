@@ -11,6 +11,7 @@ from bonedecimate import vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSea
 from jsonschema import Draft202012Validator
 from surfaces import decimating, torus
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingSources import vtkImageEllipsoidSource
 
@@ -28,6 +29,16 @@ def plate():
     source.SetResolution(20, 20)
     source.Update()
     return source.GetOutput()
+
+
+def with_line():
+    """Far from the plate."""
+    surface = plate()
+    lines = vtkCellArray()
+    lines.InsertNextCell(2, [0, surface.GetPoints().InsertNextPoint(0.0, 0.0, 9.0)])
+    surface.SetLines(lines)
+    surface.GetPointData().Initialize()
+    return surface
 
 
 def marked(surface, kind, name, data, value):
@@ -77,6 +88,8 @@ RUNS = {
     "tolerances": (tolerant, {"ToleranceArrayName": "Tolerance"}),
     "voxels": (torus, {"ErrorPreset": vtkBoneDecimate.ONE_VOXEL, "VoxelSize": 0.5}),
     "diagnostics": (plate, {"DiagnoseInput": True}),
+    "line": (with_line, {"MaximumError": 0.1}),
+    "welded": (plate, {"MaximumError": 0.1, "WeldDistance": 1e-4}),
     "pruned": (torus, {"PruneTriangles": 3}),
     "tunnels": (torus, {"TunnelSize": 15.0}),
     "smoothed": (segmented, {"AutomaticSmoothing": True, "MaximumError": 0.5}),
@@ -99,7 +112,7 @@ class Report(unittest.TestCase):
         reference.Update()
         report = json.loads(reference.report_as_json)
         self.assertEqual(problems(report, REPORT), [])
-        of_program = {"changed_before", "command_line", "files", "segments", "settings", "slabs", "warnings"}
+        of_program = {"changed_before", "command_line", "files", "segments", "settings", "slabs", "warnings", "notes"}
         self.assertEqual(set(REPORT["properties"]) - parts - set(report) - of_program - {"fragment_gap"}, set(), "shown by no run")
 
     def test_before_a_run_has_the_form_of_its_schema(self):

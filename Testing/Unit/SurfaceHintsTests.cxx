@@ -77,5 +77,5 @@ TEST(SurfaceHints, NearlyEqualPointsAreToldWithTheirDistance)
   const std::string warnings = WarningsOf(soup);
   EXPECT_NE(warnings.find("3840 points lie apart from others by less than "), std::string::npos)
     << warnings;
-  EXPECT_NE(warnings.find("merge such points before"), std::string::npos);
+  EXPECT_NE(warnings.find("joins such points, and its movement"), std::string::npos);
 }

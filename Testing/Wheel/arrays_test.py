@@ -289,7 +289,7 @@ class Running(unittest.TestCase):
     def test_surfaces_that_cannot_be_simplified_say_why_and_what_helps(self):
         soup = POINTS[TRIANGLES].reshape(-1, 3) + np.random.default_rng(1).uniform(-1e-5, 1e-5, (3 * len(TRIANGLES), 3))
         cases = {"the surface is double-sided": (POINTS, np.vstack([TRIANGLES, TRIANGLES[:, ::-1]])), "is inside out": (POINTS, TRIANGLES[:, ::-1]),
-                 "merge such points before": (soup, np.arange(len(soup)).reshape(-1, 3))}
+                 " joins such points, and its movement is part": (soup, np.arange(len(soup)).reshape(-1, 3))}
         for sentence, (points, triangles) in cases.items():
             for run in (decimate, bonedecimate.record_levels):
                 with self.assertWarnsRegex(UserWarning, sentence):

@@ -58,44 +58,6 @@ print(pyvista.Sphere().bone.decimate(target_triangles=200).n_cells)
         np.testing.assert_allclose(small["density"], small.points[:, 2], atol=0.3)
         self.assertEqual(mesh.bone.report, {})
 
-    def test_a_proof_belongs_to_one_surface(self):
-        small = bone().bone.decimate(max_error=0.2)
-        self.assertRegex(small.bone.report["proof.sentence"], r"^<= 0\.\d+ mm in both directions$")
-        with tempfile.TemporaryDirectory() as folder:
-            small.save(f"{folder}/small.vtp")
-            self.assertEqual(pv.read(f"{folder}/small.vtp").bone.report, small.bone.report)
-            scaled = small.scale(2.0)
-            scaled.field_data.update(small.field_data)
-            scaled.save(f"{folder}/scaled.vtp")
-            changed = {"smooth": small.smooth(20), "smooth_taubin": small.smooth_taubin(), "decimate": small.decimate(0.5),
-                       "scale": scaled, "read again": pv.read(f"{folder}/scaled.vtp"), "clip": small.clip("x"),
-                       "append": small + small.translate((90, 0, 0)), "flip": small.flip_normal([1, 0, 0]),
-                       "subdivide": small.subdivide(1), "cap": small.clip("x").bone.cap("all")}
-        for name, mesh in changed.items():
-            report = mesh.bone.report
-            with self.subTest(name):
-                self.assertNotIn("proof.status", report)
-                self.assertNotIn("proof.upper", report)
-                if report:
-                    self.assertRegex(report["proof.sentence"], "^nothing is proved of this surface")
-        self.assertIn("proof.upper", small.copy().bone.report)
-
-    def test_what_is_left_out_is_named_by_the_proof(self):
-        mesh = bone()
-        far = mesh.n_points
-        points = np.vstack([mesh.points, [[0, 0, 90]]]).astype(np.float32)
-        faces = np.concatenate([mesh.faces, [2, 0, far]])
-        broken = pv.PolyData(points, faces=faces, lines=[2, 1, far], verts=[1, 2])
-        with self.assertWarnsRegex(UserWarning, "1 polygon of fewer than three different corners was left out"):
-            report = broken.bone.decimate(max_error=0.2).bone.report
-        self.assertEqual([report[f"left_out.{i}.kind"] for i in range(3)], ["polygons", "lines", "vertices"])
-        self.assertGreater(report["left_out.1.distance"], 50)
-        self.assertLessEqual(report["left_out.2.distance"], 0.2)
-        self.assertRegex(report["proof.sentence"], r", but for 1 polygon of .*, up to .* mm away; and for 1 line \(cell 1\), up to .* mm away$")
-        with self.assertWarns(UserWarning):
-            certificate = broken.bone.certify(mesh)
-        self.assertRegex(certificate.report["left_out.0.sentence"], "^1 polygon of fewer than three different corners of the reference")
-
     def test_raises_what_a_python_user_expects(self):
         with self.assertRaises(TypeError):
             bone().bone.decimate(error=0.2)

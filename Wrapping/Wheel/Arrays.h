@@ -33,7 +33,7 @@ using NumbersIn = ArrayIn<double, nb::ndim<1>>;
 using CellsIn = ArrayIn<std::int64_t, nb::ndim<1>>;
 
 using CornersIn = ArrayIn<double, nb::shape<-1, 3, 3>>;
-/// Kind, count, noun and place of each entry, and the corners of its triangles, as in LeftOutShape.
+/// Kind, count and noun of each entry, where its first is, and the corners of its triangles, as in LeftOutShape.
 using LeftOutIn =
   std::vector<std::tuple<std::string, std::int64_t, std::string, std::string, CornersIn>>;
 

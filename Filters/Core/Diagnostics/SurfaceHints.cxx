@@ -36,7 +36,7 @@ std::string UnweldedText(const Diagnostic& found)
   std::snprintf(length, sizeof(length), "%.2g", found.Length);
   return std::to_string(found.Count) + " points lie apart from others by less than " + length +
     " mm, so that triangles are not connected; WeldDistance " + length +
-    " joins them, and its movement is part of the largest error";
+    " joins such points, and its movement is part of the largest error";
 }
 
 std::string InsideOutText(const Diagnostic& found)

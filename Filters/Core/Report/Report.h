@@ -51,7 +51,7 @@ enum class InputStatus : int
   BadLabelMap, ///< A grid that is not valid, labels that are not one pair for each triangle, or a surface far from the grid.
   NoVoxelGrid, ///< KeepVoxels is On and no grid is known.
   OptionConflict, ///< An option that does not go with another one or with an input; Report::Conflict.
-  InvalidOption       ///< A value is outside of the range of its option.
+  InvalidOption   ///< A value is outside of the range of its option.
 };
 
 /// Why the collapse ended.

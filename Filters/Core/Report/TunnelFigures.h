@@ -37,7 +37,7 @@ struct ClosedTunnel
 
 struct TunnelFigures
 {
-  bool IsRequested = false; ///< If false, all other members are meaningless.
+  bool IsRequested = false;     ///< If false, all other members are meaningless.
   std::int64_t GenusBefore = 0; ///< Number of handles; open boundaries count as closed.
   std::int64_t GenusAfter = 0;
   std::array<std::int64_t, NumberOfTunnelObstacles>

@@ -197,7 +197,7 @@ class Writer:
         }
         out = [heads[choices["declaration"]]] if choices["declaration"] != "none" else []
         spaces = [("xmlns" + (":" + self.prefix[:-1] if self.prefix else ""), CORE), ("xmlns:mat", MATERIAL), ("xmlns:p", PRODUCTION)]
-        spaces.append(("xmlns:own", "http://example.org/own"))
+        spaces.append(("xmlns:own", "urn:bonedecimate:own"))
         required = {"production": "p", "material": "mat"}.get(choices["required"])
         unit = None if choices["unit"] == "not given" else choices["unit"]
         out.append(self.tag("model", [("unit", unit), ("xml:lang", "en-US"), *spaces, ("requiredextensions", required)]))

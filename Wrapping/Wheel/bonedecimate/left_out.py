@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from .polydata import Cells
     from .surfaces import LeftOut
 
-LEFT_OUT = "BoneDecimateLeftOut"  # field array of readers: kind, count, noun and place of each entry
+LEFT_OUT = "BoneDecimateLeftOut"  # field array of readers: kind, count and noun of each entry, and where its first is
 
 
 def left_out_polygons(cells: NDArray, corners: list[NDArray]) -> LeftOut:
