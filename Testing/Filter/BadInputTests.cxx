@@ -215,8 +215,8 @@ TEST(BadInput, WhatIsLeftOutQualifiesTheProof)
   polyData->SetLines(lines);
   FilterRun run(polyData);
   run->SetMaximumError(0.1);
-  EXPECT_EQ(run->GetReportText("left_out.0.kind"), "polygons");
   EXPECT_LE(run.Value("left_out.0.distance"), 0.1) << "an edge of the surface";
+  EXPECT_EQ(run->GetReportText("left_out.0.kind"), "polygons");
   EXPECT_EQ(run->GetReportText("left_out.1.kind"), "lines");
   EXPECT_NEAR(run.Value("left_out.1.distance"), 7.0, 0.01);
   const std::string sentence = run->GetReportText("proof.sentence");

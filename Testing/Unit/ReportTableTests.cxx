@@ -104,11 +104,11 @@ TEST(ReportTable, ProofIsThereOnlyWhereOneWasMadeAndHasTheLargestOfAllDirections
   report.Proof.InputToOutput = { 0.25, 0.375 };
   report.Proof.OutputToInput = { 0.125, 0.1875 };
   EXPECT_EQ(Read<std::string>(report, "proof.boundaries"), "not_compared");
-  EXPECT_EQ(ReportEntries(report).size(), without + 11);
+  EXPECT_EQ(ReportEntries(report).size(), without + 10);
   report.Proof.BoundariesCompared = true;
   report.Proof.Boundaries = BoundaryPresence::Both;
   report.Proof.BoundaryOutputToInput = { 0.4375, 0.46875 };
-  EXPECT_EQ(ReportEntries(report).size(), without + 15);
+  EXPECT_EQ(ReportEntries(report).size(), without + 14);
   EXPECT_EQ(Read<std::string>(report, "proof.status"), "proved");
   EXPECT_EQ(Read<double>(report, "proof.lower"), 0.4375);
   EXPECT_EQ(Read<double>(report, "proof.upper"), 0.46875);
