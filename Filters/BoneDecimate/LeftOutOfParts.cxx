@@ -93,8 +93,9 @@ vtkBoneDecimate::Numbers vtkBoneDecimate::FiguresOfPart(
   using namespace bonedecimate;
   const int threads = this->State->Options.NumberOfThreads;
   const std::uint64_t checksum = TriangleChecksum(ToSurface(output, threads).Surface, threads);
-  Numbers numbers = { static_cast<double>(checksum / HalfWord),
-    static_cast<double>(checksum % HalfWord) };
+  const std::uint64_t high = checksum / HalfWord;
+  const std::uint64_t low = checksum % HalfWord;
+  Numbers numbers = { static_cast<double>(high), static_cast<double>(low) };
   for (const LeftOut& entry : run.State->Report.LeftOut)
   {
     numbers.push_back(static_cast<double>(entry.Count));

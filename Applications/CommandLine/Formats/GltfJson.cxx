@@ -21,17 +21,17 @@ public:
 
   bool IsBeyond() const { return this->Bytes > this->Most; }
 
-  bool null() override { return this->Add(ofValue); }
-  bool boolean(bool) override { return this->Add(ofValue); }
-  bool number_integer(number_integer_t) override { return this->Add(ofValue); }
-  bool number_unsigned(number_unsigned_t) override { return this->Add(ofValue); }
-  bool number_float(number_float_t, const string_t&) override { return this->Add(ofValue); }
-  bool string(string_t& text) override { return this->Add(ofString + text.size()); }
-  bool binary(binary_t&) override { return this->Add(ofString); }
-  bool start_object(std::size_t) override { return this->Add(ofObject); }
-  bool key(string_t& text) override { return this->Add(ofKey + text.size()); }
+  bool null() override { return this->Add(OfValue); }
+  bool boolean(bool) override { return this->Add(OfValue); }
+  bool number_integer(number_integer_t) override { return this->Add(OfValue); }
+  bool number_unsigned(number_unsigned_t) override { return this->Add(OfValue); }
+  bool number_float(number_float_t, const string_t&) override { return this->Add(OfValue); }
+  bool string(string_t& text) override { return this->Add(OfString + text.size()); }
+  bool binary(binary_t&) override { return this->Add(OfString); }
+  bool start_object(std::size_t) override { return this->Add(OfObject); }
+  bool key(string_t& text) override { return this->Add(OfKey + text.size()); }
   bool end_object() override { return true; }
-  bool start_array(std::size_t) override { return this->Add(ofObject); }
+  bool start_array(std::size_t) override { return this->Add(OfObject); }
   bool end_array() override { return true; }
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override
   {
@@ -40,10 +40,10 @@ public:
 
 private:
   // With the growth of lists and what the heap adds.
-  static constexpr std::size_t ofValue = 48;
-  static constexpr std::size_t ofString = 112;
-  static constexpr std::size_t ofKey = 96;
-  static constexpr std::size_t ofObject = 144;
+  static constexpr std::size_t OfValue = 48;
+  static constexpr std::size_t OfString = 112;
+  static constexpr std::size_t OfKey = 96;
+  static constexpr std::size_t OfObject = 144;
 
   bool Add(std::size_t bytes)
   {
