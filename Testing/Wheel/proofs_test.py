@@ -2,11 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a mesh says is proved of it."""
 
+import os
+import pathlib
+import sys
 import tempfile
 import unittest
 
 import numpy as np
 import pyvista as pv
+
+sys.path.insert(0, str(pathlib.Path(os.environ["SOURCE_DIR"]) / "Applications" / "Slicer" / "BoneDecimator"))
+from BoneDecimatorLib import surfaces as slicer  # noqa: E402
 
 
 def bone():
@@ -35,6 +41,15 @@ class AProof(unittest.TestCase):
                 if report:
                     self.assertRegex(report["proof.sentence"], "^nothing is proved of this surface")
         self.assertIn("proof.upper", small.copy().bone.report)
+
+    def test_is_that_of_the_same_surface_for_3d_slicer(self):
+        mesh = bone()
+        mesh.points -= mesh.points[7]  # so that there are coordinates of -0 and 0
+        small = mesh.bone.decimate(max_error=0.2)
+        self.assertEqual(slicer.checksum_of(small), small.bone.report["output.checksum"])
+        self.assertEqual(slicer.report_of(small)["proof"]["upper"], small.bone.report["proof.upper"])
+        small.points[5] *= 1.5
+        self.assertEqual(slicer.report_of(small)["proof"], {"sentence": small.bone.report["proof.sentence"]})
 
     def test_names_what_is_left_out(self):
         mesh = bone()
