@@ -29,7 +29,7 @@ class AProof(unittest.TestCase):
             scaled = small.scale(2.0)
             scaled.field_data.update(small.field_data)
             scaled.save(f"{folder}/scaled.vtp")
-            changed = {"smooth": small.smooth(20), "smooth_taubin": small.smooth_taubin(), "decimate": small.decimate(0.5),
+            changed = {"smooth": small.smooth(n_iter=20), "smooth_taubin": small.smooth_taubin(), "decimate": small.decimate(0.5),
                        "scale": scaled, "read again": pv.read(f"{folder}/scaled.vtp"), "clip": small.clip("x"),
                        "append": small + small.translate((90, 0, 0)), "flip": small.flip_normal([1, 0, 0]),
                        "subdivide": small.subdivide(1), "cap": small.clip("x").bone.cap("all")}
