@@ -134,6 +134,27 @@ TEST(PolygonTriangulation, LargePolygonsAreCoveredWithoutOverlaps)
   }
 }
 
+TEST(PolygonTriangulation, NoCornerOfALargeConvexPolygonIsInManyTriangles)
+{
+  constexpr int count = 4096;
+  constexpr int most = 2 * 12 + 2; // two for each round, of which there are log2(count)
+  Points circle;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * i / count;
+    circle.emplace_back(50.0 * std::cos(angle), 50.0 * std::sin(angle), 0.0);
+  }
+  std::vector<int> triangles(count, 0);
+  for (const Triangle& triangle : Triangulated(circle))
+  {
+    for (const Index corner : triangle)
+    {
+      ++triangles[static_cast<std::size_t>(corner)];
+    }
+  }
+  EXPECT_LE(*std::max_element(triangles.begin(), triangles.end()), most);
+}
+
 TEST(PolygonTriangulation, BowTiesHaveAsManyTrianglesAsOtherPolygons)
 {
   const Points tie = { { 0, 0, 0 }, { 10, 10, 0 }, { 10, 0, 0 }, { 0, 10, 0 } };

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 namespace bonedecimate
@@ -63,13 +64,15 @@ private:
   /// A corner with the measure of its triangle when it was queued.
   struct Candidate
   {
+    std::size_t Round;
     double Measure;
     std::size_t Corner;
     std::size_t Version;
 
     bool operator<(const Candidate& other) const // the least is the top of a queue
     {
-      return std::pair(this->Measure, this->Corner) > std::pair(other.Measure, other.Corner);
+      return std::tie(this->Round, this->Measure, this->Corner) >
+        std::tie(other.Round, other.Measure, other.Corner);
     }
   };
   using Queue = std::priority_queue<Candidate>;
@@ -80,6 +83,7 @@ private:
     std::size_t Previous = 0;
     std::size_t Next = 0;
     std::size_t Version = 0; // of its triangle
+    std::size_t Round = 0;   // later than that of all clipped neighbors
     bool IsClipped = false;
     bool IsConvex = false;
     std::vector<std::size_t>
@@ -205,11 +209,12 @@ private:
     const double around = Length(b - a) + Length(c - b) + Length(a - c);
     const double area = Length(this->CrossAt(corner.Previous, i, corner.Next));
     const double measure = isConvex && area > 0.0 ? around * around / area : Infinity;
+    const std::size_t round = this->Corners.size() > SmallPolygon ? corner.Round : 0;
     if (isConvex)
     {
-      this->Ears.push({ measure, i, corner.Version });
+      this->Ears.push({ round, measure, i, corner.Version });
     }
-    this->All.push({ measure, i, corner.Version });
+    this->All.push({ round, measure, i, corner.Version });
     if (isConvex && !corner.IsConvex)
     {
       this->Release(corner);
@@ -314,8 +319,12 @@ private:
     corner.IsClipped = true;
     this->Ring[corner.Previous].Next = corner.Next;
     this->Ring[corner.Next].Previous = corner.Previous;
-    this->Measure(corner.Previous);
-    this->Measure(corner.Next);
+    for (const std::size_t neighbor : { corner.Previous, corner.Next })
+    {
+      Corner& other = this->Ring[neighbor];
+      other.Round = std::max(other.Round, corner.Round + 1);
+      this->Measure(neighbor);
+    }
     this->Release(corner);
   }
 

@@ -6,7 +6,7 @@
  *
  *     plane       perpendicular to the sum of the corners' cross products; if that is 0 (a bow tie), to the largest of them
  *     ear         a convex corner whose triangle has no reflex corner in it, by exact signs in the projection along an axis
- *     next ear    that of the least perimeter^2 / area
+ *     next ear    that of the least perimeter^2 / area; of many corners first every second one, so that no corner is in many triangles
  *     no ear      the convex corner of the least perimeter^2 / area, even if triangles overlap then
  *
  * n corners always give n - 2 triangles, and every edge of the polygon is an edge of one of them, so that neighbors still meet
