@@ -139,7 +139,11 @@ public:
     this->RequireTriangles(messages);
     AcceptMessages(messages, this->Path, this->Subject.Warnings, this->Requested.Unit);
     this->TakeResult();
-    if (!this->Volume)
+    if (this->Volume)
+    {
+      ForgetFlatTriangles(this->Subject.Warnings);
+    }
+    else
     {
       const std::string hint = VertexCellsHint(this->Input);
       if (!hint.empty())
