@@ -49,7 +49,7 @@ BUGS = (
     Bug("colors are reversed", "seg.nrrd", "Segmentation.cxx", "std::copy(color->begin(), color->end(), segment.Color.begin());",
         "std::copy(color->rbegin(), color->rend(), segment.Color.begin());"),
     Bug("names are identifiers", "seg.nrrd", "Segmentation.cxx", 'segment.Name = textOf(prefix + "Name");', "segment.Name = identifier;"),
-    Bug("rows and columns exchange their distances", "dicom", "DicomReader.cxx", "slice->RowDistance = (*spacing)[0]; slice->ColumnDistance = (*spacing)[1];",
+    Bug("rows and columns exchange their distances", "dicom", "DicomScan.cxx", "slice->RowDistance = (*spacing)[0]; slice->ColumnDistance = (*spacing)[1];",
         "slice->RowDistance = (*spacing)[1]; slice->ColumnDistance = (*spacing)[0];"),
     Bug("slices are ordered downward", "dicom", "DicomSeries.cxx", "Dot(a.Position, normal) < Dot(b.Position, normal)",
         "Dot(a.Position, normal) > Dot(b.Position, normal)"),
