@@ -17,7 +17,7 @@ namespace bonedecimate
 /// An empty object if there is none. For another surface than the proved one, the proof is a sentence that says so.
 nlohmann::ordered_json ReportOf(vtkPolyData* surface);
 
-/// Replaces the report; what it proves holds for this surface from now on. Field data of other surfaces stay as they are.
+/// Replaces the report; what it proves holds for this surface from now on. Field data that it has in common with another surface are copied before.
 void SetReportOf(nlohmann::ordered_json report, vtkPolyData* surface);
 
 /// Composes the sentences of what is proved and left out again, after numbers of a report were changed.

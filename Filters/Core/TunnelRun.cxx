@@ -7,7 +7,7 @@
 #include "Input/Tolerances.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/ManifoldPatches.h"
-#include "Options/RunKinds.h"
+#include "OptionConflict.h"
 #include "RunProgress.h"
 #include "StageClock.h"
 #include "Tunnels/CloseTunnels.h"
@@ -243,25 +243,6 @@ private:
   std::size_t FirstPlug = 0; // of its triangles
   Labels ClosedLabels;
 };
-
-/// The kinds of run that leave out something because of what they have.
-std::vector<RunKind> KindsOf(const Options& options, const RunInputs& inputs)
-{
-  const std::pair<bool, const char*> kinds[] = { { options.KeepVoxels == KeepVoxels::On,
-                                                   "KeepingVoxels" },
-    { inputs.LabelMap != nullptr, "LabelMapSurface" },
-    { inputs.Reference != nullptr, "Referenced" }, { inputs.Part != nullptr, "PartOfSurface" },
-    { inputs.Log != nullptr, "Recorded" } };
-  std::vector<RunKind> found;
-  for (const auto& [isOfKind, name] : kinds)
-  {
-    if (isOfKind)
-    {
-      found.push_back(FindRunKind(name));
-    }
-  }
-  return found;
-}
 }
 
 Result CloseTunnelsThenRun(const Surface& input, const Options& options, const Monitor& monitor,
@@ -271,15 +252,8 @@ Result CloseTunnelsThenRun(const Surface& input, const Options& options, const M
   {
     return run(input, options, monitor, inputs);
   }
-  const std::string conflict = FindUnsupported(KindsOf(options, inputs), RequestsOf(options));
-  if (!conflict.empty())
-  {
-    Result result;
-    result.Report.Requested = options;
-    result.Report.Status = InputStatus::OptionConflict;
-    result.Report.Conflict = conflict;
-    return result;
-  }
-  return TunnelRun(input, options, monitor, inputs, run).Run();
+  const std::string conflict = FindConflict(options, inputs);
+  return conflict.empty() ? TunnelRun(input, options, monitor, inputs, run).Run()
+                          : RejectedResult(options, conflict);
 }
 }

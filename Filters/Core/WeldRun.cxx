@@ -6,8 +6,8 @@
 #include "Input/Weld.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/Cleaning.h"
+#include "OptionConflict.h"
 #include "Options/NumberRange.h"
-#include "Options/RunKinds.h"
 #include "StageClock.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ public:
     const bool isRead = this->WeldInput();
     if (this->Error > 0.0 && this->Figures.Movement > 0.5 * this->Error)
     {
-      return Rejected(this->Requested,
+      return RejectedResult(this->Requested,
         "WeldDistance moves points by up to " + NumberText(this->Figures.Movement) +
           " mm, more than half of the largest error of " + NumberText(this->Error) +
           " mm, which includes it");
@@ -61,15 +61,6 @@ public:
     }
     result.Report.Seconds.Prepare += seconds;
     result.Report.Seconds.Total += seconds;
-    return result;
-  }
-
-  static Result Rejected(const Options& options, const std::string& reason)
-  {
-    Result result;
-    result.Report.Requested = options;
-    result.Report.Status = InputStatus::OptionConflict;
-    result.Report.Conflict = reason;
     return result;
   }
 
@@ -197,20 +188,7 @@ std::string ConflictOf(const Options& options, const RunInputs& inputs)
   {
     return "WeldDistance with ErrorPreset needs VoxelSize, because the surface does not show it";
   }
-  const std::pair<bool, const char*> kinds[] = { { options.KeepVoxels == KeepVoxels::On,
-                                                   "KeepingVoxels" },
-    { inputs.LabelMap != nullptr, "LabelMapSurface" },
-    { inputs.Reference != nullptr, "Referenced" }, { inputs.Part != nullptr, "PartOfSurface" },
-    { inputs.Log != nullptr, "Recorded" } };
-  std::vector<RunKind> found;
-  for (const auto& [isOfKind, name] : kinds)
-  {
-    if (isOfKind)
-    {
-      found.push_back(FindRunKind(name));
-    }
-  }
-  return FindUnsupported(found, RequestsOf(options));
+  return FindConflict(options, inputs);
 }
 }
 
@@ -223,7 +201,7 @@ Result WeldThenRun(const Surface& input, const Options& options, const Monitor& 
   }
   const std::string conflict = ConflictOf(options, inputs);
   return conflict.empty() ? WeldRun(input, options, inputs).Run(monitor, run)
-                          : WeldRun::Rejected(options, conflict);
+                          : RejectedResult(options, conflict);
 }
 
 std::vector<std::string> WeldSentences(const WeldFigures& figures)

@@ -14,6 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "Testing" / "Formats" / "Volumes"))
 import comparison  # noqa: E402
 import formats  # noqa: E402
+import planted  # noqa: E402
 
 
 class Variants(unittest.TestCase):
@@ -86,6 +87,11 @@ class Variants(unittest.TestCase):
             for rescale in (("1", "-1024"), ("0.5", "-10"), ("-1", "5"), None):
                 for modality in ("CT", "MR"):
                     self.found("dicom", padding=padding, rescale=rescale, modality=modality, pixels="16 signed")
+
+    def test_planted_bugs_have_their_code(self):
+        for bug in planted.BUGS:
+            text = (ROOT / "Applications" / "Volume" / bug.file).read_text(encoding="utf-8")
+            self.assertEqual(len(planted.pattern_of(bug.old).findall(text)), 1, bug.name)
 
 
 if __name__ == "__main__":

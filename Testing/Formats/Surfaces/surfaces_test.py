@@ -16,6 +16,7 @@ sys.path[:0] = [str(FOLDER.parent), str(FOLDER)]
 import compare_surfaces  # noqa: E402
 import explained  # noqa: E402
 import pairwise  # noqa: E402
+import plant_bugs  # noqa: E402
 
 ARGUMENTS = argparse.Namespace(
     program=os.environ["BONEDECIMATE_PROGRAM"],
@@ -53,6 +54,10 @@ class Surfaces(unittest.TestCase):
                 for choice, values in explanation.when.items():
                     self.assertLessEqual(set(values), set(choices[choice]), (name, choice))
                 self.assertTrue(explanation.when or explanation.kinds, explanation)
+
+    def test_planted_bugs_have_their_code(self):
+        for _, _, file, old, _ in plant_bugs.BUGS:
+            self.assertEqual((plant_bugs.SOURCE / plant_bugs.FORMATS / file).read_text(encoding="utf-8").count(old), 1, (file, old))
 
 
 if __name__ == "__main__":
