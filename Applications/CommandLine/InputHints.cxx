@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputHints.h"
 
-#include <algorithm>
-
 namespace bonedecimate
 {
 std::string VertexCellsHint(vtkPolyData* input)
@@ -16,12 +14,5 @@ std::string VertexCellsHint(vtkPolyData* input)
           : " vertex cells of the input are no part of the surface and stay with their "
             "points") +
       "; without them the file is smaller";
-}
-
-void ForgetFlatTriangles(std::vector<std::string>& warnings)
-{
-  const auto isOfThem = [](const std::string& warning)
-  { return warning.find(" without area ") != std::string::npos; };
-  warnings.erase(std::remove_if(warnings.begin(), warnings.end(), isOfThem), warnings.end());
 }
 }

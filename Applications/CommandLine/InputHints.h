@@ -10,16 +10,11 @@
 #include "vtkPolyData.h"
 
 #include <string>
-#include <vector>
 
 namespace bonedecimate
 {
 /// Empty if there are none.
 std::string VertexCellsHint(vtkPolyData* input);
-
-/// Removes the warning of triangles without area: extraction makes them where voxels have the very value of the surface, and nothing is
-/// wrong then. The report counts them.
-void ForgetFlatTriangles(std::vector<std::string>& warnings);
 }
 
 #endif

@@ -139,11 +139,7 @@ public:
     this->RequireTriangles(messages);
     AcceptMessages(messages, this->Path, this->Subject.Warnings, this->Requested.Unit);
     this->TakeResult();
-    if (this->Volume)
-    {
-      ForgetFlatTriangles(this->Subject.Warnings);
-    }
-    else
+    if (!this->Volume)
     {
       const std::string hint = VertexCellsHint(this->Input);
       if (!hint.empty())

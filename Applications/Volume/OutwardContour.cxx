@@ -11,6 +11,7 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -150,19 +151,28 @@ private:
   Flags WasInside; // the layer before
 };
 
-vtkSmartPointer<vtkCellArray> TurnedTriangles(vtkCellArray* triangles)
+/// Without those of two equal corners: where a voxel has the very value, several edges of the grid are cut in it.
+vtkSmartPointer<vtkCellArray> TrianglesOf(vtkCellArray* found, vtkPoints* points, bool areTurned)
 {
-  const auto turned = vtkSmartPointer<vtkCellArray>::New();
-  turned->AllocateExact(triangles->GetNumberOfCells(), triangles->GetNumberOfConnectivityIds());
-  const auto triangle = vtkSmartPointer<vtkCellArrayIterator>::Take(triangles->NewIterator());
+  const auto triangles = vtkSmartPointer<vtkCellArray>::New();
+  triangles->AllocateEstimate(found->GetNumberOfCells(), 3);
+  const auto triangle = vtkSmartPointer<vtkCellArrayIterator>::Take(found->NewIterator());
   for (triangle->GoToFirstCell(); !triangle->IsDoneWithTraversal(); triangle->GoToNextCell())
   {
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     triangle->GetCurrentCell(size, ids);
-    turned->InsertNextCell({ ids[0], ids[2], ids[1] });
+    std::array<Vector3, 3> corners;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+    {
+      points->GetPoint(ids[k], corners[k].data());
+    }
+    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+    {
+      triangles->InsertNextCell({ ids[0], ids[areTurned ? 2 : 1], ids[areTurned ? 1 : 2] });
+    }
   }
-  return turned;
+  return triangles;
 }
 }
 
@@ -172,8 +182,7 @@ vtkSmartPointer<vtkPolyData> OutwardContour(const Volume& volume, double value)
   const bool isMirrored = Determinant(volume.Geometry) < 0.0;
   const auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(PatientPoints(grid->GetPoints(), volume.Geometry, volume.Layers));
-  const vtkSmartPointer<vtkCellArray> triangles = grid->GetPolys();
-  surface->SetPolys(isMirrored ? TurnedTriangles(triangles) : triangles);
+  surface->SetPolys(TrianglesOf(grid->GetPolys(), surface->GetPoints(), isMirrored));
   return surface;
 }
 
