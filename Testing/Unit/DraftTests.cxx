@@ -5,7 +5,6 @@
 #include "Crossings.h"
 #include "Edit/Editor.h"
 #include "EditFilters/EditJournal.h"
-#include "Intersections/FaceHistory.h"
 #include "Levels.h"
 #include "Mesh/Invariants.h"
 #include "MeshState.h"
@@ -83,32 +82,6 @@ HalfEdgeId EdgeBetween(const HalfEdgeMesh& mesh, VertexId from, VertexId to)
     edge = mesh.Target(h) == to ? h : edge;
   }
   return edge;
-}
-
-using Corners = std::set<std::vector<double>>;
-
-std::vector<double> NumbersOf(TriangleCorners corners)
-{
-  std::sort(corners.begin(), corners.end(),
-    [](const Vector3& a, const Vector3& b)
-    { return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3); });
-  std::vector<double> numbers;
-  for (const Vector3& p : corners)
-  {
-    numbers.insert(numbers.end(), p.data(), p.data() + 3);
-  }
-  return numbers;
-}
-
-Corners FacesOf(const HalfEdgeMesh& mesh)
-{
-  Corners faces;
-  const Surface surface = SurfaceOf(mesh);
-  for (const Triangle& t : surface.Triangles)
-  {
-    faces.insert(NumbersOf({ surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]] }));
-  }
-  return faces;
 }
 
 /// A plate with a tip of that height (mm) in the middle and, under the tip, a tetrahedron or none.
@@ -332,68 +305,5 @@ TEST(EditJournal, UndoesWhatDependsOnAnEditAndNothingElse)
       }
     }
     EXPECT_EQ(journal->DependentsOf(edit), expected);
-  }
-}
-
-TEST(FaceHistory, KnowsTheFacesBeforeEveryEdit)
-{
-  const CleanSurface clean = Clean(BumpySphere(2, 10.0, 0.3, 5), true);
-  const auto journal = std::make_shared<EditJournal>(HalfEdgeMesh(clean.Surface));
-  Editor editor(clean, Recording(journal));
-  std::vector<Corners> before = { FacesOf(editor.Mesh()) };
-  for (const Index h : HalfEdges(editor.Mesh(), 2))
-  {
-    if (CollapseEdge(editor, h))
-    {
-      before.push_back(FacesOf(editor.Mesh()));
-    }
-  }
-  ASSERT_GT(journal->Count(), 30);
-  const FloatBox everywhere({ Vector3::Constant(-1e3), Vector3::Constant(1e3), Vector3::Zero() });
-  for (const Index mostVersions : { 1, 400, 1 << 30 }) // an edit, several and all of them
-  {
-    FaceHistory history(editor.Mesh(), *journal, 2);
-    for (Index edit = journal->Count(); edit >= 0; --edit)
-    {
-      while (edit < history.FirstEdit())
-      {
-        history.GoBack(mostVersions);
-      }
-      Corners found;
-      history.VisitAt(everywhere, edit,
-        [&](const FaceVersion& face) { found.insert(NumbersOf(journal->CornersOf(face))); });
-      for (Index i = 0; edit < journal->Count() && i < journal->Entry(edit).NumberOfFaces; ++i)
-      {
-        found.insert(NumbersOf(journal->CornersOf(journal->OldFace(edit, i))));
-      }
-      EXPECT_EQ(found, before[static_cast<std::size_t>(edit)]) << edit;
-    }
-    EXPECT_EQ(history.FirstEdit(), 0);
-  }
-}
-
-TEST(FaceHistory, LeavesOutNothingThatMeetsTheRegionAtItsTime)
-{
-  const CleanSurface clean = Clean(BumpySphere(3, 10.0, 0.3, 5), true);
-  const auto journal = std::make_shared<EditJournal>(HalfEdgeMesh(clean.Surface));
-  Editor editor(clean, Recording(journal));
-  ASSERT_GT(CollapseMany(editor, 2), 100);
-  FaceHistory all(editor.Mesh(), *journal, 1);
-  all.GoBack(1 << 30);
-  for (Index edit = 0; edit < journal->Count(); edit += 11)
-  {
-    const FloatBox box(journal->CornersOf(journal->OldFace(edit, 0)), 0.2);
-    const auto facesOf = [&](const FaceHistory& history)
-    {
-      Corners found;
-      history.VisitAt(box, edit,
-        [&](const FaceVersion& face) { found.insert(NumbersOf(journal->CornersOf(face))); });
-      return found;
-    };
-    FaceHistory some(editor.Mesh(), *journal, 1);
-    const SpaceTimeTree region(std::vector<TimedBox>{ { box, edit, edit } });
-    some.GoBack(1 << 30, &region);
-    EXPECT_FALSE(facesOf(some).empty());
-    EXPECT_EQ(facesOf(some), facesOf(all)) << edit;
   }
 }

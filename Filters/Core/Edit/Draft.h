@@ -4,44 +4,49 @@
  * @file Draft.h
  * @brief Collapses that are tested cheaply while they are made, and proved together: what an Editor keeps for them.
  *
- *     BeginDraft:   DraftFilter in place of the error bound and the intersection guard, and a journal
+ *     BeginDraft:   DraftFilter in place of the error bound and the intersection guard, and a journal; limits near other sheets
  *     edits
  *     EndDraft:     until nothing is rejected:
- *                       every face and every original is proved                        (BulkProof)
- *                       every edit is checked against what was near it then, and gaps  (IntersectionGuard::FindRejected)
- *                       closed fragments keep their volume                             (FragmentGuard)
+ *                       every face and every original is proved, with these limits       (BulkProof)
+ *                       no pair of faces intersects or is too near                       (StateCheck)
+ *                       closed fragments keep their volume                               (FragmentGuard)
  *                       what is rejected is undone, and all edits that depend on it
- *                   the more turns, the more is undone around what is rejected; after too many of them, the whole draft
+ *                   after four failures at a vertex, one more of the last edits there each time; after too many turns, the whole draft
  *                   coverage, gaps, quadrics and volumes are those of the edits that are left
  *
- * Nothing that the draft estimates enters a proof. The mesh before the draft is proved, so undoing ends. Afterwards the state is one that
- * edit by edit could have led to as well: each edit that is left passed the rules, the fragments' and voxels' filters when it
- * was made, and replaces the same faces as then (EditJournal.h).
+ * Nothing that the draft estimates enters a proof. The mesh before the draft is proved, so undoing ends. Each edit that is left passed
+ * the rules, the fragments' and voxels' filters when it was made, and replaces the same faces as then (EditJournal.h). Why no
+ * parts pass each other, though only the last mesh is looked at: Documentation/error-bound.md.
  */
 #ifndef BoneDecimate_Core_Edit_Draft_h
 #define BoneDecimate_Core_Edit_Draft_h
 
 #include "EditFilters/EditJournal.h"
-#include "Intersections/EditReplay.h"
+#include "ErrorBound/ErrorLimits.h"
+#include "Intersections/StateCheck.h"
 #include "Mesh/Rejection.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
 {
 struct Draft
 {
-  explicit Draft(const HalfEdgeMesh& mesh)
+  Draft(const HalfEdgeMesh& mesh, const ErrorLimits& limits)
     : Journal(std::make_shared<EditJournal>(mesh))
-    , Replay(mesh, *this->Journal)
+    , Limits(limits)
+    , Failures(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0)
   {
   }
 
   std::shared_ptr<EditJournal> Journal;
-  EditReplay Replay;
-  std::vector<Index> CheckedFaces; ///< IntersectionGuard::FindRejected.
+  ErrorLimits Limits; ///< Of the bound, and less than half of the way to another sheet.
+  std::optional<StateCheck> State;    ///< If there is a guard.
+  std::vector<std::uint8_t> Failures; ///< Of each vertex, edits that were rejected.
   std::vector<std::shared_ptr<EditFilter>>
     ExactFilters; ///< Of the editor, while the draft has its own.
   std::array<std::int64_t, NumberOfRejections>

@@ -231,7 +231,8 @@ private:
   };
   void ForgetPending();
   std::vector<Index> FindRejectedEdits(BulkProof& proof, int threads);
-  void Undo(const std::vector<Index>& edits, int more);
+  ErrorLimits LimitsOfDraft(int threads) const;
+  void Undo(const std::vector<Index>& edits);
   void UndoWithDependents(Index edit);
   void UndoOne(Index edit);
   void FinishDraft(int threads);

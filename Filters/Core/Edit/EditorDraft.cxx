@@ -6,6 +6,7 @@
 #include "ErrorBound/BulkProof.h"
 #include "ErrorBound/DraftFilter.h"
 #include "Intersections/IntersectionGuard.h"
+#include "Intersections/SheetDistances.h"
 
 #include <algorithm>
 #include <functional>
@@ -14,10 +15,13 @@ namespace bonedecimate
 {
 namespace
 {
-/// Turns that undo what is rejected alone. From then on, one more of the last edits of its faces each.
-constexpr int TurnsWithoutMore = 4;
+/// Of a vertex: edits that are rejected and undone alone. From then on, one more of the last edits of its faces each.
+constexpr int FailuresWithoutMore = 4;
+constexpr int MostFailures = 100; // that are counted
 /// After so many turns the draft is undone as a whole.
-constexpr int MostTurns = 40;
+constexpr int MostTurns = 120;
+/// Of the way to another sheet: how far the draft may move, so that two sheets that both do cannot meet.
+constexpr double LessThanHalf = 0.49;
 }
 
 bool Editor::BeginDraft(int threads)
@@ -28,7 +32,11 @@ bool Editor::BeginDraft(int threads)
     return false;
   }
   this->DraftFound.Status = DraftStatus::Used;
-  this->Drafted = std::make_unique<Draft>(this->Half);
+  this->Drafted = std::make_unique<Draft>(this->Half, this->LimitsOfDraft(threads));
+  if (this->Guard)
+  {
+    this->Drafted->State.emplace(this->Guard->CheckOf(*this->Drafted->Journal));
+  }
   this->Drafted->ExactFilters = this->Filters;
   this->Drafted->Rejections = this->RejectionCounts;
   this->Filters.clear();
@@ -36,8 +44,8 @@ bool Editor::BeginDraft(int threads)
   {
     if (filter == this->Bound)
     {
-      this->Filters.push_back(
-        std::make_shared<DraftFilter>(*this->Bound, this->Half, this->CurrentVertices(), threads));
+      this->Filters.push_back(std::make_shared<DraftFilter>(
+        *this->Bound, this->Drafted->Limits, this->Half, this->CurrentVertices(), threads));
     }
     else if (filter != this->Guard)
     {
@@ -47,6 +55,20 @@ bool Editor::BeginDraft(int threads)
   this->Filters.push_back(this->Drafted->Journal);
   this->ForgetPending();
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Where the mesh is not the original, what is near another sheet does not move at all: it may be anywhere within the bound.
+ErrorLimits Editor::LimitsOfDraft(int threads) const
+{
+  ErrorLimits limits = this->Bound->Limits();
+  if (this->Guard)
+  {
+    const bool isOriginal = this->Continued == nullptr && !this->Unsmoothed;
+    limits.Reduce(SheetDistances(this->BoundedMesh(), 2.0 * limits.Most(), threads),
+      isOriginal ? LessThanHalf : 0.0);
+  }
+  return limits;
 }
 
 //------------------------------------------------------------------------------
@@ -62,7 +84,8 @@ bool Editor::EndDraft(int threads, const Monitor& monitor)
 {
   this->Filters = this->Drafted->ExactFilters; // those of the draft need memory
   this->ForgetPending();
-  BulkProof proof(*this->Bound, this->Half, *this->Drafted->Journal, threads);
+  BulkProof proof(
+    *this->Bound, this->Drafted->Limits, this->Half, *this->Drafted->Journal, threads);
   for (int turn = 0; turn < MostTurns; ++turn)
   {
     if (!monitor(static_cast<double>(turn) / MostTurns))
@@ -77,7 +100,7 @@ bool Editor::EndDraft(int threads, const Monitor& monitor)
       proof.WriteCoverage();
       return true;
     }
-    this->Undo(edits, std::max(0, turn - TurnsWithoutMore));
+    this->Undo(edits);
   }
   this->DraftFound.Status = DraftStatus::Undone;
   this->UndoDraft(threads);
@@ -90,10 +113,9 @@ std::vector<Index> Editor::FindRejectedEdits(BulkProof& proof, int threads)
 {
   const EditJournal& journal = *this->Drafted->Journal;
   std::vector<Index> edits = proof.FindFailures(this->CurrentVertices());
-  if (edits.empty() && this->Guard)
+  if (edits.empty() && this->Drafted->State)
   {
-    edits = this->Guard->FindRejected(
-      journal, this->Drafted->Replay, this->Drafted->CheckedFaces, threads);
+    edits = this->Drafted->State->FindRejected(threads);
   }
   if (edits.empty())
   {
@@ -113,17 +135,24 @@ std::vector<Index> Editor::FindRejectedEdits(BulkProof& proof, int threads)
 }
 
 //------------------------------------------------------------------------------
-/// @param more How many of the last edits at their faces are undone besides.
-void Editor::Undo(const std::vector<Index>& edits, int more)
+void Editor::Undo(const std::vector<Index>& edits)
 {
   const EditJournal& journal = *this->Drafted->Journal;
   for (const Index edit : edits)
   {
+    const JournalEntry& entry = journal.Entry(edit);
     this->UndoWithDependents(edit);
-    for (int k = 0; k < more; ++k)
+    int failures = 0;
+    for (const VertexId v : { entry.Keep, entry.Gone })
+    {
+      std::uint8_t& count = this->Drafted->Failures[v];
+      count = static_cast<std::uint8_t>(std::min(MostFailures, count + 1));
+      failures = std::max<int>(failures, count);
+    }
+    for (int more = FailuresWithoutMore; more < failures; ++more)
     {
       Index last = None;
-      for (Index i = 0; i < journal.Entry(edit).NumberOfFaces; ++i)
+      for (Index i = 0; i < entry.NumberOfFaces; ++i)
       {
         last = std::max(last, journal.LastOfFace(journal.OldFace(edit, i).Face));
       }

@@ -25,9 +25,10 @@ std::array<Vector3, 3> PositionsOf(const HalfEdgeMesh& mesh, FaceId face)
 }
 }
 
-BulkProof::BulkProof(
-  ErrorBound& bound, const HalfEdgeMesh& mesh, const EditJournal& journal, int threads)
+BulkProof::BulkProof(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
+  const EditJournal& journal, int threads)
   : Shared(bound)
+  , Allowed(limits)
   , Mesh(mesh)
   , Journal(journal)
   , Threads(threads)
@@ -70,12 +71,9 @@ std::vector<Index> BulkProof::FindFailures(const std::vector<Index>& current)
     }
     this->ProvedVersion[face] = this->Journal.LastOfFace(face);
   }
-  for (std::size_t i = 0; i < this->Found.Count(); ++i)
+  for (const Failure& failure : this->Failures)
   {
-    if (!this->Found.Of(i).IsProved)
-    {
-      edits.push_back(this->LastEditAt(static_cast<Index>(i), current));
-    }
+    edits.push_back(this->EditToUndo(failure, current));
   }
   return edits;
 }
@@ -83,8 +81,12 @@ std::vector<Index> BulkProof::FindFailures(const std::vector<Index>& current)
 //------------------------------------------------------------------------------
 void BulkProof::ProveOriginals(const std::vector<char>& originals)
 {
-  using Proved = std::pair<std::size_t, Covering>;
-  std::vector<std::vector<Proved>> others(NumberOfChunks(originals.size()));
+  struct Part
+  {
+    std::vector<std::pair<std::size_t, Covering>> BySeveral; // faces
+    std::vector<Failure> Failures;
+  };
+  std::vector<Part> parts(NumberOfChunks(originals.size()));
   ForEachChunk(originals.size(), this->Threads, {},
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
@@ -93,24 +95,31 @@ void BulkProof::ProveOriginals(const std::vector<char>& originals)
       {
         if (originals[i] != 0)
         {
-          const Covering covering = this->Prove(static_cast<Index>(i), proof);
+          Failure failure = { static_cast<Index>(i), {} };
+          const Covering covering = this->Prove(failure.Original, proof, failure.Far);
           if (covering.IsOneFace())
           {
             this->Found.Set(i, covering);
           }
           else
           {
-            others[chunk].emplace_back(i, covering);
+            parts[chunk].BySeveral.emplace_back(i, covering);
+          }
+          if (!covering.IsProved)
+          {
+            parts[chunk].Failures.push_back(failure);
           }
         }
       }
     });
-  for (const std::vector<Proved>& part : others)
+  this->Failures.clear();
+  for (const Part& part : parts)
   {
-    for (const Proved& proved : part)
+    for (const auto& [original, covering] : part.BySeveral)
     {
-      this->Found.Set(proved.first, proved.second);
+      this->Found.Set(original, covering);
     }
+    this->Failures.insert(this->Failures.end(), part.Failures.begin(), part.Failures.end());
   }
   this->Near = std::vector<NearFaces>();
 }
@@ -127,7 +136,7 @@ void BulkProof::FindChanged()
 //------------------------------------------------------------------------------
 void BulkProof::ProveFaces()
 {
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
+  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Allowed);
   ForEachChunk(this->IsChanged.size(), this->Threads, {},
     [&](std::size_t, std::size_t first, std::size_t last)
     {
@@ -197,7 +206,7 @@ void BulkProof::FindNear(const std::vector<char>& originals, const std::vector<I
 NearFaces BulkProof::NearTo(VertexId original, const StartOfWalk& starts, VertexId vertex) const
 {
   const Vector3& p = this->Shared.Source.Position(original);
-  const double limit = this->Shared.LimitAt(original);
+  const double limit = this->Allowed.At(original);
   NearFaces near;
   std::array<Index, MostAround> around;
   std::size_t count = 0;
@@ -259,7 +268,7 @@ bool BulkProof::IsAsAtFirst(const Covering& covering) const
 }
 
 //------------------------------------------------------------------------------
-Covering BulkProof::Prove(Index original, CommonFaceProof& proof) const
+Covering BulkProof::Prove(Index original, CommonFaceProof& proof, std::optional<Vector3>& far) const
 {
   Covering covering = this->CoveringAtFirst(original);
   if (this->IsAsAtFirst(covering))
@@ -272,7 +281,7 @@ Covering BulkProof::Prove(Index original, CommonFaceProof& proof) const
   const Index face = this->NearestToAll(near);
   if (face == None)
   {
-    return this->ProveTogether(original, near, proof);
+    return this->ProveTogether(original, near, proof, far);
   }
   covering.Faces[0] = face;
   covering.Count = 1;
@@ -314,7 +323,7 @@ BulkProof::Candidates BulkProof::CandidatesOf(
   Candidates candidates;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    reach = std::max(reach, (p[k] - middle).norm() + this->Shared.LimitAt(corners[k]));
+    reach = std::max(reach, (p[k] - middle).norm() + this->Allowed.At(corners[k]));
     std::for_each(near[k]->Faces.begin(), near[k]->Faces.begin() + near[k]->Count,
       [&](Index face) { candidates.Add(face); });
   }
@@ -335,8 +344,9 @@ BulkProof::Candidates BulkProof::CandidatesOf(
 }
 
 //------------------------------------------------------------------------------
-Covering BulkProof::ProveTogether(
-  Index original, const std::array<const NearFaces*, 3>& near, CommonFaceProof& proof) const
+/// @param far Set to a point that is near no face, if one was found.
+Covering BulkProof::ProveTogether(Index original, const std::array<const NearFaces*, 3>& near,
+  CommonFaceProof& proof, std::optional<Vector3>& far) const
 {
   const Candidates candidates = this->CandidatesOf(original, near);
   proof.Resize(0);
@@ -349,13 +359,18 @@ Covering BulkProof::ProveTogether(
   for (std::size_t k = 0; k < 3; ++k)
   {
     const Vector3& p = this->Shared.Source.Position(corners[k]);
-    const double limit = this->Shared.LimitAt(corners[k]);
+    const double limit = this->Allowed.At(corners[k]);
     whole[k] = { p, limit, proof.FacesNear(p, limit) };
   }
   CommonFaceProof::Faces used = 0;
   Covering covering;
-  covering.IsProved = proof.Prove(whole, used, MostPieces) == CommonFaceResult::Proved &&
-    CountBits(used) <= Coverage::SlotsPerItem;
+  const CommonFaceResult result = proof.Prove(whole, used, MostPieces);
+  covering.IsProved =
+    result == CommonFaceResult::Proved && CountBits(used) <= Coverage::SlotsPerItem;
+  if (result == CommonFaceResult::TooFar)
+  {
+    far = proof.FarPosition();
+  }
   for (std::size_t i = 0; i < candidates.Count && covering.IsProved; ++i)
   {
     if ((used >> i & 1) != 0)
@@ -364,6 +379,20 @@ Covering BulkProof::ProveTogether(
     }
   }
   return covering;
+}
+
+//------------------------------------------------------------------------------
+/// That of the face nearest to a point that is too far away, if there is one.
+Index BulkProof::EditToUndo(const Failure& failure, const std::vector<Index>& current) const
+{
+  Index edit = None;
+  if (failure.Far)
+  {
+    const VertexId corner = this->Shared.Source.Corners(failure.Original)[0];
+    const StartOfWalk starts(this->Mesh);
+    edit = this->Journal.LastOfFace(starts.FindNear(*failure.Far, current[corner]).Face);
+  }
+  return edit != None ? edit : this->LastEditAt(failure.Original, current);
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,7 @@
 #include "StartOfWalk.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
@@ -31,7 +32,9 @@ class BulkProof
 {
 public:
   /// @param bound Its coverage is that of the mesh before the first edit of the journal.
-  BulkProof(ErrorBound& bound, const HalfEdgeMesh& mesh, const EditJournal& journal, int threads);
+  /// @param limits Of the original, for what has changed; not above those of the bound. Must outlive this object.
+  BulkProof(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
+    const EditJournal& journal, int threads);
 
   /// Proves what has changed since the last call. For each face and original that is not proved, the last edit to undo.
   /// @param current Of each original vertex the vertex of the mesh into which it was merged.
@@ -54,6 +57,13 @@ private:
     void Add(Index face);
   };
 
+  /// An original that is not proved.
+  struct Failure
+  {
+    Index Original;
+    std::optional<Vector3> Far; // a point of it that is near no face, if one was found
+  };
+
   void FindChanged();
   void ProveFaces();
   std::vector<char> OriginalsToProve() const;
@@ -62,14 +72,16 @@ private:
   NearFaces NearTo(VertexId original, const StartOfWalk& starts, VertexId vertex) const;
   Covering CoveringAtFirst(Index original) const;
   bool IsAsAtFirst(const Covering& covering) const;
-  Covering Prove(Index original, CommonFaceProof& proof) const;
+  Covering Prove(Index original, CommonFaceProof& proof, std::optional<Vector3>& far) const;
   Index NearestToAll(const std::array<const NearFaces*, 3>& near) const;
-  Covering ProveTogether(
-    Index original, const std::array<const NearFaces*, 3>& near, CommonFaceProof& proof) const;
+  Covering ProveTogether(Index original, const std::array<const NearFaces*, 3>& near,
+    CommonFaceProof& proof, std::optional<Vector3>& far) const;
   Candidates CandidatesOf(Index original, const std::array<const NearFaces*, 3>& near) const;
+  Index EditToUndo(const Failure& failure, const std::vector<Index>& current) const;
   Index LastEditAt(Index original, const std::vector<Index>& current) const;
 
   ErrorBound& Shared;
+  const ErrorLimits& Allowed;
   const HalfEdgeMesh& Mesh;
   const EditJournal& Journal;
   int Threads;
@@ -78,6 +90,7 @@ private:
   std::vector<Index> ProvedVersion; // of each face, its last edit when it was proved
   std::vector<char> IsChanged;      // of each face, since then
   std::vector<char> IsFaceProved;
+  std::vector<Failure> Failures;
 };
 }
 

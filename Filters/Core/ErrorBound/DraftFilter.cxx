@@ -4,6 +4,7 @@
 
 #include "CommonFaceProof.h"
 #include "Parallel.h"
+#include "Prover.h"
 #include "StartOfWalk.h"
 #include "WalkedTargets.h"
 
@@ -30,12 +31,14 @@ struct DraftFilter::Pending : public EditFilter::Pending
   };
   CommonFaceProof Distances;
   std::vector<Held> Moved;
-  Index Nearest = None; // to the new vertex
+  Index Nearest = None;   // to the new vertex
+  bool IsLimited = false; // more than elsewhere
 };
 
-DraftFilter::DraftFilter(
-  ErrorBound& bound, const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads)
+DraftFilter::DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
+  const std::vector<Index>& current, int threads)
   : Shared(bound)
+  , Allowed(limits)
   , FirstOfFaces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
 {
   this->AddVertices();
@@ -49,7 +52,7 @@ void DraftFilter::AddVertices()
   for (VertexId v = 0; v < this->Shared.Source.NumberOfVertexSlots(); ++v)
   {
     this->Samples.push_back(
-      { this->Shared.Source.Position(v), RatioOfLimit * this->Shared.LimitAt(v), None });
+      { this->Shared.Source.Position(v), RatioOfLimit * this->Allowed.At(v), None });
     this->At.push_back(v);
   }
 }
@@ -64,8 +67,7 @@ void DraftFilter::AddEdges()
     const HalfEdgeId h = HalfEdgeMesh::HalfEdge(i / 3, i % 3);
     const VertexId from = original.Origin(h);
     const VertexId to = original.Target(h);
-    const double limit =
-      ErrorLimits::Between(this->Shared.LimitAt(from), this->Shared.LimitAt(to), 0.5);
+    const double limit = ErrorLimits::Between(this->Allowed.At(from), this->Allowed.At(to), 0.5);
     if (original.Twin(h) < h && limit < small)
     {
       this->Samples.push_back(
@@ -131,11 +133,13 @@ Decision DraftFilter::Check(
 bool DraftFilter::SamplesAreNear(const SurfaceChange& change, Pending& work) const
 {
   work.Moved.clear();
+  work.IsLimited = false;
   for (const Index old : change.OldFaces)
   {
     for (Index s = this->FirstOfFaces[old]; s != None; s = this->Samples[s].Next)
     {
       const Sample& sample = this->Samples[s];
+      work.IsLimited = work.IsLimited || sample.Limit < RatioOfLimit * this->Allowed.Most();
       work.Distances.FacesNear(sample.Position, sample.Limit);
       std::size_t nearest = 0;
       for (std::size_t i = 1; i < change.NewFaces.size(); ++i)
@@ -157,7 +161,7 @@ bool DraftFilter::SamplesAreNear(const SurfaceChange& change, Pending& work) con
 bool DraftFilter::NewFacesAreNear(const ProposedEdit& edit, Pending& work) const
 {
   const SurfaceChange& change = edit.Change;
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
+  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Allowed);
   const auto isNear = [&](const Vector3& p)
   {
     const PieceCover<3>::Corner found = original.Find(p, work.Nearest);
@@ -179,7 +183,18 @@ bool DraftFilter::NewFacesAreNear(const ProposedEdit& edit, Pending& work) const
         return isNear((p[0] + p[1] + p[2]) / 3.0) && isNear(0.5 * (p[0] + p[1]));
       });
   work.Nearest = nearest;
-  return areNear;
+  return areNear && (!work.IsLimited || this->FacesAreProved(change, original, nearest));
+}
+
+//------------------------------------------------------------------------------
+/// Near another sheet limits change from triangle to triangle, and few points say little.
+bool DraftFilter::FacesAreProved(
+  const SurfaceChange& change, const WalkedSurface& original, Index nearest) const
+{
+  const std::shared_ptr<Prover> prover = this->Shared.BorrowProver();
+  return std::all_of(change.NewFaces.begin(), change.NewFaces.end(),
+    [&](const SurfaceChange::Face& face)
+    { return prover->Back.Prove(original, face.Corners, nearest); });
 }
 
 //------------------------------------------------------------------------------

@@ -22,12 +22,15 @@
 
 namespace bonedecimate
 {
+class WalkedSurface;
+
 class DraftFilter : public EditFilter
 {
 public:
   /// @param mesh Within the bound.  @param current Of each original vertex the vertex of the mesh into which it was merged.
-  DraftFilter(
-    ErrorBound& bound, const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads);
+  /// @param limits Of the original; must outlive this object.
+  DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
+    const std::vector<Index>& current, int threads);
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }
@@ -51,8 +54,11 @@ private:
   void Distribute(const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads);
   bool SamplesAreNear(const SurfaceChange& change, Pending& work) const;
   bool NewFacesAreNear(const ProposedEdit& edit, Pending& work) const;
+  bool FacesAreProved(
+    const SurfaceChange& change, const WalkedSurface& original, Index nearest) const;
 
   ErrorBound& Shared;
+  const ErrorLimits& Allowed;
   std::vector<Sample> Samples;
   std::vector<Index> At;           // of each sample, an original vertex near it
   std::vector<Index> FirstOfFaces; // the first sample of each face

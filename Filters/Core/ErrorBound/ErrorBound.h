@@ -89,6 +89,7 @@ public:
   /// ErrorBoundSettings::Error, infinite
   /// where nothing limits, 0 where nothing may change.
   double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
+  const ErrorLimits& Limits() const { return this->Allowed; }
 
   /// Covers the boundaries of the original by those of the mesh, as ProveStart.  @return Triangles of edges that are not proved.
   std::vector<Index> CoverBoundaries(const HalfEdgeMesh& mesh, const Zone* zone);

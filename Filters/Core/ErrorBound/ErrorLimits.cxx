@@ -60,6 +60,23 @@ ErrorLimits::ErrorLimits(const HalfEdgeMesh& original, const ErrorBoundSettings&
 }
 
 //------------------------------------------------------------------------------
+void ErrorLimits::Reduce(const std::vector<double>& distances, double part)
+{
+  const auto isNear = [](double distance) { return std::isfinite(distance); };
+  if (!this->Differ() && std::any_of(distances.begin(), distances.end(), isNear))
+  {
+    this->Values.assign(distances.size(), this->Everywhere);
+  }
+  for (std::size_t v = 0; v < this->Values.size(); ++v)
+  {
+    if (isNear(distances[v]))
+    {
+      this->Values[v] = std::min(this->Values[v], RoundedDown(part * distances[v]));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 double ErrorLimits::Between(double from, double to, double t)
 {
   return std::isinf(from) || std::isinf(to) ? Infinity : from + t * (to - from);

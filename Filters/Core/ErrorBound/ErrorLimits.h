@@ -27,6 +27,11 @@ public:
   /// @param original Must not change.
   ErrorLimits(const HalfEdgeMesh& original, const ErrorBoundSettings& settings);
 
+  /// At each vertex not more than that part of the distance, mm.
+  void Reduce(const std::vector<double>& distances, double part);
+
+  /// mm, the largest of all.
+  double Most() const { return this->Everywhere; }
   /// Whether they are not the same everywhere.
   bool Differ() const { return !this->Values.empty(); }
 

@@ -30,6 +30,7 @@ public:
 
 private:
   friend class BulkProof;
+  friend class DraftFilter;
 
   using Faces = CommonFaceProof::Faces;
   using Item = CoveredItem;

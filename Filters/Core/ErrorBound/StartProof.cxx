@@ -193,8 +193,8 @@ std::vector<Index> ProveStart(ErrorBound& bound, const ReferenceMesh& reference,
     originals[i] = zone->MayReach(corners, bound.LimitAt(c[0])) ? 1 : 0;
   }
   const EditJournal none(mesh);
-  std::vector<Index> left =
-    BulkProof(bound, mesh, none, threads).CoverFirst(originals, reference.NearVertex);
+  std::vector<Index> left = BulkProof(bound, bound.Limits(), mesh, none, threads)
+                              .CoverFirst(originals, reference.NearVertex);
   const std::vector<Index> boundaries = bound.CoverBoundaries(mesh, zone);
   left.insert(left.end(), boundaries.begin(), boundaries.end());
   return left;

@@ -46,4 +46,30 @@ void FloatBox::Add(const FloatBox& other)
     this->High[axis] = std::max(this->High[axis], other.High[axis]);
   }
 }
+
+//------------------------------------------------------------------------------
+FloatBox FloatBox::Grown(double reach) const
+{
+  FloatBox grown;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    grown.Low[axis] = Beyond(this->Low[axis] - reach, -1.0F);
+    grown.High[axis] = Beyond(this->High[axis] + reach, 1.0F);
+  }
+  return grown;
+}
+
+//------------------------------------------------------------------------------
+double FloatBox::DistanceTo(const FloatBox& other) const
+{
+  double squared = 0.0; // mm^2
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double below = static_cast<double>(other.Low[axis]) - this->High[axis]; // mm
+    const double above = static_cast<double>(this->Low[axis]) - other.High[axis]; // mm
+    const double apart = std::max({ 0.0, below, above });
+    squared += apart * apart;
+  }
+  return std::sqrt(squared);
+}
 }

@@ -26,6 +26,10 @@ struct FloatBox
   /// @param reach mm, by which the box is larger.
   explicit FloatBox(const TriangleCorners& corners, double reach = 0.0);
   void Add(const FloatBox& other);
+  /// @param reach mm, by which the other one is larger.
+  FloatBox Grown(double reach) const;
+  /// mm, at least; 0 if they meet.
+  double DistanceTo(const FloatBox& other) const;
   /// Without branches: most boxes that are compared are near each other.
   bool Meets(const FloatBox& other) const
   {

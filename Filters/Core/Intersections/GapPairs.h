@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Intersections_GapPairs_h
 #define BoneDecimate_Core_Intersections_GapPairs_h
 
-#include "FaceHistory.h"
+#include "EditFilters/EditJournal.h"
 #include "Piece.h"
 
 #include <vector>
@@ -20,14 +20,6 @@ double ReachOf(const Gap& gap);
 /// Nearer than the initial gap allows, and nearer than the faces that the piece replaces.
 bool IsTooNear(
   const GapRule& widths, const Piece& piece, const Piece& near, const std::vector<Piece>& old);
-
-/// For each pair of faces that are too near to each other, one of which the edits of the journal have changed, the later edit of
-/// both. Whether they were as near in the input makes no difference: more is undone then.
-/// @param widths Of the vertices of the mesh before the first edit of the journal.
-/// @param checked Of each face, the last edit of it in the last call; empty before the first for a journal. Only new faces are looked at
-/// first, and if they have no such pair, all: a pair may also arise where an undone edit has restored a face or a wider gap.
-std::vector<Index> FindNarrowedGaps(const HalfEdgeMesh& mesh, const GapRule& widths,
-  const EditJournal& journal, std::vector<Index>& checked, int threads);
 
 /// A merged vertex represents both.
 void MergeGaps(const EditJournal& journal, const HalfEdgeMesh& mesh, GapRule& widths);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IntersectionGuard.h"
 
-#include "EditReplay.h"
 #include "GapPairs.h"
 #include "GuardReach.h"
 #include "PartTree.h"
@@ -192,17 +191,6 @@ void IntersectionGuard::BuildGrid()
   {
     this->Grid = std::make_unique<FaceGrid>(this->Mesh, this->LeastCell);
   }
-}
-
-//------------------------------------------------------------------------------
-std::vector<Index> IntersectionGuard::FindRejected(const EditJournal& journal, EditReplay& replay,
-  std::vector<Index>& checkedFaces, int threads) const
-{
-  std::vector<Index> edits = replay.FindRejected(this->Written, threads);
-  const std::vector<Index> narrowed =
-    FindNarrowedGaps(this->Mesh, this->Widths, journal, checkedFaces, threads);
-  edits.insert(edits.end(), narrowed.begin(), narrowed.end());
-  return edits;
 }
 
 //------------------------------------------------------------------------------

@@ -12,7 +12,7 @@
  *               and nearer than the faces that go were
  *     jump:     rejected if a corner of what is near lies between the faces that go and the new ones  (Piece)
  *
- * The edits of a draft are checked together when it is made: meet and jump by EditReplay.h, gaps in the mesh that is left.
+ * The edits of a draft are checked together, in the mesh that is left (StateCheck.h).
  */
 #ifndef BoneDecimate_Core_Intersections_IntersectionGuard_h
 #define BoneDecimate_Core_Intersections_IntersectionGuard_h
@@ -21,6 +21,7 @@
 #include "FaceGrid.h"
 #include "GapRule.h"
 #include "Piece.h"
+#include "StateCheck.h"
 
 #include <memory>
 #include <mutex>
@@ -28,8 +29,6 @@
 
 namespace bonedecimate
 {
-class EditReplay;
-
 class IntersectionGuard : public EditFilter
 {
 public:
@@ -56,11 +55,11 @@ public:
   void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
     Tally& tally) override;
 
-  /// For each edit of a draft that one of the rules rejects, and each pair of faces that the edits left too near to each other, the
-  /// edit to undo. A gap that is narrow from the beginning counts only if an edit has changed one of its faces.
-  /// @param replay Of the journal.  @param checkedFaces Empty at first; both the same in all calls.
-  std::vector<Index> FindRejected(const EditJournal& journal, EditReplay& replay,
-    std::vector<Index>& checkedFaces, int threads) const;
+  /// Of a draft, before its first edit. Both must outlive the check.
+  StateCheck CheckOf(const EditJournal& journal) const
+  {
+    return { this->Mesh, this->Widths, this->Written, journal };
+  }
   /// Continues with the mesh that the edits of the draft left.
   void TakeDraft(const EditJournal& journal);
 

@@ -46,6 +46,8 @@ void FindWritten(Piece& piece, const WrittenPositions& written)
   }
 }
 
+}
+
 bool Meet(Piece& a, Piece& b, const WrittenPositions& written)
 {
   if (!BoxesMeet(a, b, written.Rounding()))
@@ -69,6 +71,8 @@ bool Meet(Piece& a, Piece& b, const WrittenPositions& written)
   }
 }
 
+namespace
+{
 /// Pairs that meet.
 struct Meetings
 {

@@ -53,6 +53,9 @@ int CountShared(const Piece& a, const Piece& b);
 Vector3 LeastOf(const std::vector<Piece>& pieces);
 Vector3 MostOf(const std::vector<Piece>& pieces);
 
+/// Whether they intersect where they will be written.
+bool Meet(Piece& a, Piece& b, const WrittenPositions& written);
+
 /// Whether more pairs intersect, or more pairs pierce each other, than with the faces that go.
 bool MeetMore(std::vector<Piece>& before, std::vector<Piece>& after, std::vector<Piece>& near,
   const WrittenPositions& written);

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SheetDistances.h
+ * @brief How near a surface comes to itself: at each triangle the distance within which it is one disk.
+ *
+ *     disk:              triangles connected across edges, with Euler characteristic 1
+ *     sheet distance d:  the triangles nearer than d belong to one disk of triangles, all of which are nearer than the others
+ *     0:                 at triangles that intersect others
+ *
+ * What lies beyond is another sheet, the other side of a thin plate or strut, or another fragment. Documentation/error-bound.md
+ * has what follows from it.
+ */
+#ifndef BoneDecimate_Core_Intersections_SheetDistances_h
+#define BoneDecimate_Core_Intersections_SheetDistances_h
+
+#include "Mesh/HalfEdgeMesh.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+/// mm, of each vertex the least of its triangles; infinite where it is not less than the limit.
+std::vector<double> SheetDistances(const HalfEdgeMesh& mesh, double limit, int threads);
+}
+
+#endif

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// How near a surface comes to itself: against the thickness and the gaps of shapes that are known, and distances by brute force.
+#include "Crossings.h"
+#include "Intersections/SheetDistances.h"
+#include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/Statistics.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace bonedecimate;
+using namespace bonedecimate::testsupport;
+
+namespace
+{
+/// A box of 12 x 12 x height mm with edges of 1 mm along its sides, one cell high.
+Surface Plate(double height)
+{
+  Surface plate = Scaled(Cube(12), 12.0);
+  for (Vector3& p : plate.Points)
+  {
+    p[2] *= height / 12.0;
+  }
+  return plate;
+}
+
+double LeastAndMost(const Surface& surface, int axis, bool isMost)
+{
+  double value = surface.Points[0][axis];
+  for (const Vector3& p : surface.Points)
+  {
+    value = isMost ? std::max(value, p[axis]) : std::min(value, p[axis]);
+  }
+  return value;
+}
+
+std::vector<double> DistancesOf(const Surface& surface, double limit, int threads = 1)
+{
+  return SheetDistances(HalfEdgeMesh(surface), limit, threads);
+}
+}
+
+TEST(SheetDistances, AreTheThicknessOfAPlateAwayFromItsRim)
+{
+  const double height = 0.5;
+  const Surface plate = Plate(height);
+  const double middle = 0.5 * (LeastAndMost(plate, 0, false) + LeastAndMost(plate, 0, true));
+  const std::vector<double> distances = DistancesOf(plate, 2.0);
+  const std::vector<double> below = DistancesOf(plate, 0.9 * height);
+  int found = 0;
+  for (std::size_t v = 0; v < plate.Points.size(); ++v)
+  {
+    const Vector3& p = plate.Points[v];
+    const double inPlane = std::max(std::abs(p[0] - middle), std::abs(p[1] - middle)); // mm
+    if (inPlane < 2.5)
+    {
+      EXPECT_NEAR(distances[v], height, 1e-6);
+      EXPECT_TRUE(std::isinf(below[v]));
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 20);
+}
+
+TEST(SheetDistances, AreNotAboveTheDistanceToAnotherComponent)
+{
+  const Surface spheres = NearSpheres(3, 0.3);
+  const std::vector<double> distances = DistancesOf(spheres, 1.0);
+  const Components components = FindComponents(spheres);
+  ASSERT_EQ(components.Count, 2);
+  const double gap = LeastDistanceOfComponents(spheres);
+  const double least = *std::min_element(distances.begin(), distances.end());
+  EXPECT_LE(least, gap + 1e-6);
+  EXPECT_GT(least, 0.9 * gap);
+  EXPECT_TRUE(std::isinf(*std::max_element(distances.begin(), distances.end())));
+}
+
+TEST(SheetDistances, AreInfiniteWhereTheSurfaceIsOneDiskWithinTheLimit)
+{
+  for (const Surface& surface : { Icosphere(4, 10.0), HeightField(20, 0.05, 3) })
+  {
+    const std::vector<double> distances = DistancesOf(surface, 0.5);
+    EXPECT_TRUE(std::all_of(
+      distances.begin(), distances.end(), [](double distance) { return std::isinf(distance); }));
+  }
+}
+
+TEST(SheetDistances, AreFiniteAroundATube)
+{
+  // No ball about a point of a thin ring holds one disk if it holds a section of the ring.
+  const Surface ring = Scaled(Torus(48, 8), 1.0);
+  double most = 0.0; // mm, the diameter of the tube
+  most = LeastAndMost(ring, 2, true) - LeastAndMost(ring, 2, false);
+  for (const double distance : DistancesOf(ring, 2.0 * most))
+  {
+    EXPECT_LT(distance, 1.01 * most);
+  }
+}
+
+TEST(SheetDistances, AreZeroWhereTrianglesIntersect)
+{
+  const Surface ball = Icosphere(2, 10.0);
+  const Surface both = Together(ball, Moved(ball, Vector3(15.0, 0.3, 0.2)));
+  const std::vector<double> distances = DistancesOf(both, 1.0);
+  const auto half = static_cast<Index>(ball.Triangles.size());
+  int crossing = 0;
+  for (Index a = 0; a < half; ++a)
+  {
+    for (Index b = half; b < 2 * half; ++b)
+    {
+      const Triangle& one = both.Triangles[static_cast<std::size_t>(a)];
+      if (Cross(both, one, both.Triangles[static_cast<std::size_t>(b)]))
+      {
+        EXPECT_EQ(distances[one[0]], 0.0);
+        ++crossing;
+      }
+    }
+  }
+  EXPECT_GT(crossing, 5);
+}
+
+TEST(SheetDistances, DoNotDependOnTheThreads)
+{
+  const Surface surface = BumpySphere(5, 3.0, 0.4, 7);
+  EXPECT_EQ(DistancesOf(surface, 1.0, 1), DistancesOf(surface, 1.0, 3));
+}
