@@ -125,6 +125,6 @@ TEST(SheetDistances, AreZeroWhereTrianglesIntersect)
 
 TEST(SheetDistances, DoNotDependOnTheThreads)
 {
-  const Surface surface = BumpySphere(5, 3.0, 0.4, 7);
+  const Surface surface = BumpySphere(4, 3.0, 0.2, 7);
   EXPECT_EQ(DistancesOf(surface, 1.0, 1), DistancesOf(surface, 1.0, 3));
 }

@@ -60,6 +60,14 @@ FloatBox FloatBox::Grown(double reach) const
 }
 
 //------------------------------------------------------------------------------
+double FloatBox::Diagonal() const
+{
+  return Vector3(
+    this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2])
+    .norm();
+}
+
+//------------------------------------------------------------------------------
 double FloatBox::DistanceTo(const FloatBox& other) const
 {
   double squared = 0.0; // mm^2

@@ -28,6 +28,7 @@ struct FloatBox
   void Add(const FloatBox& other);
   /// @param reach mm, by which the other one is larger.
   FloatBox Grown(double reach) const;
+  double Diagonal() const; ///< mm.
   /// mm, at least; 0 if they meet.
   double DistanceTo(const FloatBox& other) const;
   /// Without branches: most boxes that are compared are near each other.

@@ -4,7 +4,6 @@
 
 #include "BoxTree.h"
 #include "Parallel.h"
-#include "Piece.h"
 #include "WorkspacePool.h"
 
 #include <algorithm>
@@ -17,8 +16,10 @@ namespace bonedecimate
 {
 namespace
 {
-/// Triangles that are searched around at once: they follow each other and are near each other.
-constexpr std::size_t Together = 4;
+/// Ranges of triangles that are not longer are looked at together, however far apart these are.
+constexpr Index Few = 4;
+/// Triangles that are looked at around one; if there are more, the distance is only known to be that of the farthest of these at least.
+constexpr std::ptrdiff_t MostNear = 500;
 
 /// Triangles that are added one after the other: whether they are a disk.
 class GrowingPatch
@@ -62,10 +63,6 @@ public:
     }
   }
 
-  bool AreConnected(FaceId a, FaceId b)
-  {
-    return this->RootOf(this->Position[a]) == this->RootOf(this->Position[b]);
-  }
   bool IsDisk() const { return this->Parts == 1 && this->Euler == 1; }
 
 private:
@@ -94,29 +91,11 @@ private:
   Index Euler = 0; // vertices - edges + faces
 };
 
-struct Workspace
+/// A triangle by its box.
+struct Boxed
 {
-  explicit Workspace(const HalfEdgeMesh& mesh)
-    : Patch(mesh)
-  {
-  }
-  struct Near
-  {
-    double Distance; // mm, at least
-    FaceId Face;
-    bool operator<(const Near& other) const
-    {
-      return std::tie(this->Distance, this->Face) < std::tie(other.Distance, other.Face);
-    }
-  };
-  struct Boxed
-  {
-    FloatBox Box;
-    FaceId Face;
-  };
-  GrowingPatch Patch;
-  std::vector<Boxed> Around; // a group
-  std::vector<Near> Faces;   // around a triangle
+  FloatBox Box;
+  FaceId Face;
 };
 
 /// mm, by which b lies beyond the plane of a, or 0.
@@ -140,45 +119,54 @@ public:
   {
   }
 
-  /// Finds the triangles within the limit of one of these; whether they are a disk.
-  bool GatherDisk(Index first, Index last, Workspace& work) const
+  /// Measures those of a range that are nearer than the limit to another sheet. Ranges are halved until they are one disk with what is
+  /// near.
+  /// @param near What may be near; null: anything.
+  void Measure(Index first, Index last, const std::vector<Boxed>* near, GrowingPatch& patch,
+    std::vector<double>& distances) const
   {
-    FloatBox around;
+    FloatBox box;
     for (Index face = first; face < last; ++face)
     {
-      around.Add(this->Tree.Box(static_cast<std::size_t>(face)));
+      box.Add(this->Tree.Box(static_cast<std::size_t>(face)));
     }
-    work.Around.clear();
-    work.Patch.Clear();
-    this->Tree.VisitMeeting(around.Grown(this->Limit),
-      [&](std::size_t i)
-      {
-        work.Around.push_back({ this->Tree.Box(i), static_cast<Index>(i) });
-        work.Patch.Add(work.Around.back().Face);
-      });
-    return work.Patch.IsDisk();
-  }
-
-  /// mm, infinite if it is not less than the limit.  @param work Has gathered what is near.
-  double DistanceAt(FaceId face, Workspace& work) const
-  {
-    const FloatBox& box = this->Tree.Box(static_cast<std::size_t>(face));
-    const FloatBox grown = box.Grown(this->Limit);
-    work.Faces.clear();
-    work.Patch.Clear();
-    for (const Workspace::Boxed& one : work.Around)
+    std::vector<Boxed> own;
+    if (near != nullptr || last - first <= Few || box.Diagonal() <= this->Limit)
     {
-      const double distance = one.Box.Meets(grown) ? one.Box.DistanceTo(box) : this->Limit; // mm
-      if (distance < this->Limit)
+      patch.Clear();
+      this->Gather(box, near,
+        [&](const Boxed& one)
+        {
+          own.push_back(one);
+          patch.Add(one.Face);
+        });
+      if (patch.IsDisk())
       {
-        work.Faces.push_back({ distance, one.Face });
-        work.Patch.Add(one.Face);
+        return;
       }
+      near = &own;
     }
-    return work.Patch.IsDisk() ? Infinity : this->DistanceToOthers(face, work);
+    if (last - first == 1)
+    {
+      distances[static_cast<std::size_t>(first)] = this->DistanceFrom(first, own, patch);
+      return;
+    }
+    const Index middle = (first + last) / 2;
+    this->Measure(first, middle, near, patch, distances);
+    this->Measure(middle, last, near, patch, distances);
   }
 
 private:
+  struct Neighbor
+  {
+    double Distance; // mm, at least
+    FaceId Face;
+    bool operator<(const Neighbor& other) const
+    {
+      return std::tie(this->Distance, this->Face) < std::tie(other.Distance, other.Face);
+    }
+  };
+
   static std::vector<FloatBox> Boxes(const HalfEdgeMesh& mesh, int threads)
   {
     std::vector<FloatBox> boxes(static_cast<std::size_t>(mesh.NumberOfFaceSlots()));
@@ -194,62 +182,74 @@ private:
     return boxes;
   }
 
-  double DistanceToOthers(FaceId face, Workspace& work) const
+  /// Calls take(boxed) for each triangle whose box is nearer than the limit.
+  template <typename Take>
+  void Gather(const FloatBox& box, const std::vector<Boxed>* near, const Take& take) const
   {
-    const auto others = std::stable_partition(work.Faces.begin(), work.Faces.end(),
-      [&](const Workspace::Near& near) { return work.Patch.AreConnected(face, near.Face); });
-    work.Patch.Clear();
-    std::for_each(
-      work.Faces.begin(), others, [&](const Workspace::Near& near) { work.Patch.Add(near.Face); });
-    const double toRim =
-      work.Patch.IsDisk() ? this->Limit : this->DistanceToRim(face, others, work);
-    const double distance = this->LeastOf(face, others, toRim, work);
+    const FloatBox grown = box.Grown(this->Limit);
+    const auto look = [&](const Boxed& one)
+    {
+      if (one.Box.Meets(grown) && one.Box.DistanceTo(box) < this->Limit)
+      {
+        take(one);
+      }
+    };
+    if (near != nullptr)
+    {
+      std::for_each(near->begin(), near->end(), look);
+    }
+    else
+    {
+      this->Tree.VisitMeeting(grown,
+        [&](std::size_t i) {
+          look({ this->Tree.Box(i), static_cast<Index>(i) });
+        });
+    }
+  }
+
+  /// Of what is near, in the order of distances, to the first triangle beyond the last disk.
+  double DistanceFrom(FaceId face, const std::vector<Boxed>& near, GrowingPatch& patch) const
+  {
+    double limit = this->Limit; // mm
+    patch.Clear();
+    double distance = 0.0; // mm
+    const std::vector<Neighbor> neighbors = this->Sorted(face, near, limit);
+    for (std::size_t i = 0; i < neighbors.size() && neighbors[i].Distance < limit; ++i)
+    {
+      patch.Add(neighbors[i].Face);
+      if (patch.IsDisk())
+      {
+        distance = std::min(limit, i + 1 < neighbors.size() ? neighbors[i + 1].Distance : limit);
+      }
+    }
     return distance < this->Limit ? distance : Infinity;
   }
 
-  /// Of what is connected with the face, in the order of distances, to the first triangle beyond the last disk.
-  double DistanceToRim(
-    FaceId face, std::vector<Workspace::Near>::iterator end, Workspace& work) const
+  /// The nearest ones.  @param limit mm; not greater than the distance of those that are left out.
+  std::vector<Neighbor> Sorted(FaceId face, const std::vector<Boxed>& near, double& limit) const
   {
+    const FloatBox& box = this->Tree.Box(static_cast<std::size_t>(face));
+    std::vector<Neighbor> neighbors(near.size());
+    std::transform(near.begin(), near.end(), neighbors.begin(),
+      [&](const Boxed& one) {
+        return Neighbor{ box.DistanceTo(one.Box), one.Face };
+      });
+    if (neighbors.size() > static_cast<std::size_t>(MostNear))
+    {
+      const auto end = neighbors.begin() + MostNear;
+      std::nth_element(neighbors.begin(), end, neighbors.end());
+      limit = end->Distance;
+      neighbors.erase(end, neighbors.end());
+    }
     const TriangleCorners corners = CornersOf(this->Mesh, this->Mesh.Corners(face));
-    for (auto near = work.Faces.begin(); near != end; ++near)
+    for (Neighbor& one : neighbors)
     {
-      const TriangleCorners others = CornersOf(this->Mesh, this->Mesh.Corners(near->Face));
-      near->Distance = std::max(
-        { near->Distance, GapAlongNormal(corners, others), GapAlongNormal(others, corners) });
+      const TriangleCorners others = CornersOf(this->Mesh, this->Mesh.Corners(one.Face));
+      one.Distance = std::max(
+        { one.Distance, GapAlongNormal(corners, others), GapAlongNormal(others, corners) });
     }
-    std::sort(work.Faces.begin(), end);
-    work.Patch.Clear();
-    double distance = 0.0; // mm
-    for (auto near = work.Faces.begin(); near != end && near->Distance < this->Limit; ++near)
-    {
-      work.Patch.Add(near->Face);
-      if (work.Patch.IsDisk())
-      {
-        distance = near + 1 != end ? (near + 1)->Distance : this->Limit;
-      }
-    }
-    return distance;
-  }
-
-  /// To the others, if it is less than the limit (mm).
-  double LeastOf(
-    FaceId face, std::vector<Workspace::Near>::iterator first, double limit, Workspace& work) const
-  {
-    const Triangle v = this->Mesh.Corners(face);
-    Piece piece(this->Mesh, v, CornersOf(this->Mesh, v));
-    for (auto near = first; near != work.Faces.end(); ++near)
-    {
-      if (near->Distance < limit)
-      {
-        const Triangle w = this->Mesh.Corners(near->Face);
-        Piece other(this->Mesh, w, CornersOf(this->Mesh, w));
-        limit = CountShared(piece, other) > 0 || Meet(piece, other, {})
-          ? 0.0
-          : std::min(limit, std::sqrt(WayBetween(piece.Corners, other.Corners).SquaredLength));
-      }
-    }
-    return limit;
+    std::sort(neighbors.begin(), neighbors.end());
+    return neighbors;
   }
 
   const HalfEdgeMesh& Mesh;
@@ -262,20 +262,12 @@ std::vector<double> SheetDistances(const HalfEdgeMesh& mesh, double limit, int t
 {
   const Sheets sheets(mesh, limit, threads);
   std::vector<double> ofFaces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), Infinity);
-  WorkspacePool<Workspace> workspaces;
+  WorkspacePool<GrowingPatch> patches;
   ForEachChunk(ofFaces.size(), threads, {},
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const auto work = workspaces.Borrow([&] { return std::make_unique<Workspace>(mesh); });
-      for (std::size_t i = first; i < last; i += Together)
-      {
-        const auto end = static_cast<Index>(std::min(last, i + Together));
-        const bool isDisk = sheets.GatherDisk(static_cast<Index>(i), end, *work);
-        for (FaceId face = static_cast<Index>(i); face < end && !isDisk; ++face)
-        {
-          ofFaces[face] = mesh.IsAlive(face) ? sheets.DistanceAt(face, *work) : Infinity;
-        }
-      }
+      const auto patch = patches.Borrow([&] { return std::make_unique<GrowingPatch>(mesh); });
+      sheets.Measure(static_cast<Index>(first), static_cast<Index>(last), nullptr, *patch, ofFaces);
     });
   std::vector<double> distances(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), Infinity);
   for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
