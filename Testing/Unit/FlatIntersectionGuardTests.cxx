@@ -11,17 +11,34 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
 
+namespace
+{
+/// One half of a ball of 18 voxels.
+Surface HalfOfVoxelBall()
+{
+  return LabelSurface(
+    { 20, 20, 20 }, { 0.5, 0.5, 0.5 },
+    [](const std::array<Index, 3>& voxel)
+    {
+      const Vector3 from = Vector3(voxel[0] - 9.5, voxel[1] - 9.5, voxel[2] - 9.5);
+      return from.norm() < 9.0 && voxel[0] < 10 ? 1 : 0;
+    },
+    1);
+}
+}
+
 TEST(FlatIntersectionGuard, FlatPartsAreSimplifiedAsIfNothingWereNear)
 {
   const std::vector<std::pair<Surface, std::size_t>> shapes = { { Scaled(Cube(12), 5.0), 12 },
     { Prism(6, 6, 9), 20 }, { CappedCylinder(24, 9), 92 }, { VoxelEllipsoid(), 0 },
-    { LabeledPart(1), 0 }, { Grid(20), 2 } };
+    { HalfOfVoxelBall(), 0 }, { Grid(20), 2 } };
   for (const auto& [shape, expected] : shapes)
   {
     for (const Mode mode : { Mode::Fast, Mode::Balanced })

@@ -5,8 +5,8 @@
 #include "Editor.h"
 #include "ErrorBound/BulkProof.h"
 #include "ErrorBound/DraftFilter.h"
+#include "Intersections/Clearance.h"
 #include "Intersections/IntersectionGuard.h"
-#include "Intersections/SheetDistances.h"
 
 #include <algorithm>
 #include <functional>
@@ -20,8 +20,10 @@ constexpr int FailuresWithoutMore = 4;
 constexpr int MostFailures = 100; // that are counted
 /// After so many turns the draft is undone as a whole.
 constexpr int MostTurns = 120;
-/// Of the way to another sheet: how far the draft may move, so that two sheets that both do cannot meet.
+/// Of the clearance: how far the draft may move, so that two parts that both do cannot meet.
 constexpr double LessThanHalf = 0.49;
+/// Largest errors within which other parts are looked for: both may move by one, and a hundredth is for rounding.
+constexpr double ErrorsOfClearance = 2.01;
 }
 
 bool Editor::BeginDraft(int threads)
@@ -58,14 +60,14 @@ bool Editor::BeginDraft(int threads)
 }
 
 //------------------------------------------------------------------------------
-/// Where the mesh is not the original, what is near another sheet does not move at all: it may be anywhere within the bound.
+/// Where the mesh is not the original, what is near another part does not move at all: it may be anywhere within the bound.
 ErrorLimits Editor::LimitsOfDraft(int threads) const
 {
   ErrorLimits limits = this->Bound->Limits();
   if (this->Guard)
   {
     const bool isOriginal = this->Continued == nullptr && !this->Unsmoothed;
-    limits.Reduce(SheetDistances(this->BoundedMesh(), 2.0 * limits.Most(), threads),
+    limits.Reduce(Clearances(this->BoundedMesh(), ErrorsOfClearance * limits.Most(), threads),
       isOriginal ? LessThanHalf : 0.0);
   }
   return limits;

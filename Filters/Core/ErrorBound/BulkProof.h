@@ -6,8 +6,7 @@
  *
  *     face:      as it was before the first edit of the journal, or proved by FaceProof
  *     original:  its covering faces before the first edit are all as they were, or
- *                one face is within the limit of all of its corners, or
- *                the faces near its corners and their neighbors cover it together                       (CommonFaceProof)
+ *                faces near its corners cover it                                                        (OriginalProof)
  *     again:     after edits were undone, only faces that are not those proved, and originals that such a face covers
  *
  * A face is the one that was proved if its last edit in the journal is the same.
@@ -15,14 +14,11 @@
 #ifndef BoneDecimate_Core_ErrorBound_BulkProof_h
 #define BoneDecimate_Core_ErrorBound_BulkProof_h
 
-#include "CommonFaceProof.h"
 #include "CoveringList.h"
 #include "EditFilters/EditJournal.h"
 #include "ErrorBound.h"
-#include "NearFaces.h"
-#include "StartOfWalk.h"
+#include "OriginalProof.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -49,14 +45,6 @@ public:
   void WriteCoverage();
 
 private:
-  struct Candidates
-  {
-    std::array<Index, CommonFaceProof::MostCandidates> Faces;
-    std::size_t Count = 0;
-
-    void Add(Index face);
-  };
-
   /// An original that is not proved.
   struct Failure
   {
@@ -68,15 +56,9 @@ private:
   void ProveFaces();
   std::vector<char> OriginalsToProve() const;
   void ProveOriginals(const std::vector<char>& originals);
-  void FindNear(const std::vector<char>& originals, const std::vector<Index>& current);
-  NearFaces NearTo(VertexId original, const StartOfWalk& starts, VertexId vertex) const;
   Covering CoveringAtFirst(Index original) const;
   bool IsAsAtFirst(const Covering& covering) const;
   Covering Prove(Index original, CommonFaceProof& proof, std::optional<Vector3>& far) const;
-  Index NearestToAll(const std::array<const NearFaces*, 3>& near) const;
-  Covering ProveTogether(Index original, const std::array<const NearFaces*, 3>& near,
-    CommonFaceProof& proof, std::optional<Vector3>& far) const;
-  Candidates CandidatesOf(Index original, const std::array<const NearFaces*, 3>& near) const;
   Index EditToUndo(const Failure& failure, const std::vector<Index>& current) const;
   Index LastEditAt(Index original, const std::vector<Index>& current) const;
 
@@ -85,8 +67,8 @@ private:
   const HalfEdgeMesh& Mesh;
   const EditJournal& Journal;
   int Threads;
+  OriginalProof Originals;
   CoveringList Found;
-  std::vector<NearFaces> Near;      // of each original vertex, while originals are proved
   std::vector<Index> ProvedVersion; // of each face, its last edit when it was proved
   std::vector<char> IsChanged;      // of each face, since then
   std::vector<char> IsFaceProved;

@@ -187,7 +187,7 @@ bool DraftFilter::NewFacesAreNear(const ProposedEdit& edit, Pending& work) const
 }
 
 //------------------------------------------------------------------------------
-/// Near another sheet limits change from triangle to triangle, and few points say little.
+/// Where the clearance is small, limits change from triangle to triangle, and few points say little.
 bool DraftFilter::FacesAreProved(
   const SurfaceChange& change, const WalkedSurface& original, Index nearest) const
 {

@@ -111,16 +111,13 @@ private:
 std::vector<Index> BulkProof::CoverFirst(
   const std::vector<char>& originals, const std::vector<Index>& current)
 {
-  this->FindNear(originals, current);
+  this->Originals.FindNear(originals, current, this->Threads);
   this->ProveOriginals(originals);
   this->WriteCoverage();
   std::vector<Index> left;
-  for (std::size_t i = 0; i < this->Found.Count(); ++i)
+  for (const Failure& failure : this->Failures)
   {
-    if (!this->Found.Of(i).IsProved)
-    {
-      left.push_back(static_cast<Index>(i));
-    }
+    left.push_back(failure.Original);
   }
   return left;
 }

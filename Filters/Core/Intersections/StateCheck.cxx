@@ -54,8 +54,7 @@ std::vector<Index> StateCheck::FindRejected(int threads)
 /// Those that are there and have changed since the last call.
 std::vector<FaceId> StateCheck::TakeChanged(int threads)
 {
-  const auto boxOf = [this](FaceId face)
-  { return FloatBox(CornersOf(this->Mesh, this->Mesh.Corners(face))); };
+  const auto boxOf = [this](FaceId face) { return FloatBox(PositionsOf(this->Mesh, face)); };
   if (!this->Tree)
   {
     std::vector<FloatBox> boxes(this->Looked.size());
@@ -153,8 +152,7 @@ bool StateCheck::WasAsNear(const FaceVersion& one, const FaceVersion& other, int
 /// With the least gap of its corners.
 Piece StateCheck::PieceOf(FaceId face) const
 {
-  const Triangle v = this->Mesh.Corners(face);
-  Piece piece(this->Mesh, v, CornersOf(this->Mesh, v));
+  Piece piece(this->Mesh, this->Mesh.Corners(face), PositionsOf(this->Mesh, face));
   piece.LeastGap = this->Widths.LeastOf(piece.Vertices);
   piece.Reach = ReachOf(piece.LeastGap);
   return piece;

@@ -322,6 +322,13 @@ void HalfEdgeMesh::VisitNeighbors(VertexId v, Visit visit) const
     visit(last, this->Origin(last));
   }
 }
+
+/// mm, the corners of a face.
+inline std::array<Vector3, 3> PositionsOf(const HalfEdgeMesh& mesh, FaceId face)
+{
+  const Triangle c = mesh.Corners(face);
+  return { mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]) };
+}
 }
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SheetDistances.h"
+#include "Clearance.h"
 
 #include "BoxTree.h"
 #include "Parallel.h"
@@ -109,17 +109,17 @@ double GapAlongNormal(const TriangleCorners& a, const TriangleCorners& b)
 }
 
 /// The triangles of a mesh in a tree.
-class Sheets
+class NearTriangles
 {
 public:
-  Sheets(const HalfEdgeMesh& mesh, double limit, int threads)
+  NearTriangles(const HalfEdgeMesh& mesh, double limit, int threads)
     : Mesh(mesh)
     , Limit(limit)
     , Tree(Boxes(mesh, threads), threads)
   {
   }
 
-  /// Measures those of a range that are nearer than the limit to another sheet. Ranges are halved until they are one disk with what is
+  /// Measures those of a range whose clearance is below the limit. Ranges are halved until they are one disk with what is
   /// near.
   /// @param near What may be near; null: anything.
   void Measure(Index first, Index last, const std::vector<Boxed>* near, GrowingPatch& patch,
@@ -176,7 +176,7 @@ private:
         const FaceId face = static_cast<Index>(i);
         if (mesh.IsAlive(face))
         {
-          boxes[i] = FloatBox(CornersOf(mesh, mesh.Corners(face)));
+          boxes[i] = FloatBox(PositionsOf(mesh, face));
         }
       });
     return boxes;
@@ -241,10 +241,10 @@ private:
       limit = end->Distance;
       neighbors.erase(end, neighbors.end());
     }
-    const TriangleCorners corners = CornersOf(this->Mesh, this->Mesh.Corners(face));
+    const TriangleCorners corners = PositionsOf(this->Mesh, face);
     for (Neighbor& one : neighbors)
     {
-      const TriangleCorners others = CornersOf(this->Mesh, this->Mesh.Corners(one.Face));
+      const TriangleCorners others = PositionsOf(this->Mesh, one.Face);
       one.Distance = std::max(
         { one.Distance, GapAlongNormal(corners, others), GapAlongNormal(others, corners) });
     }
@@ -258,16 +258,17 @@ private:
 };
 }
 
-std::vector<double> SheetDistances(const HalfEdgeMesh& mesh, double limit, int threads)
+std::vector<double> Clearances(const HalfEdgeMesh& mesh, double limit, int threads)
 {
-  const Sheets sheets(mesh, limit, threads);
+  const NearTriangles triangles(mesh, limit, threads);
   std::vector<double> ofFaces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), Infinity);
   WorkspacePool<GrowingPatch> patches;
   ForEachChunk(ofFaces.size(), threads, {},
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       const auto patch = patches.Borrow([&] { return std::make_unique<GrowingPatch>(mesh); });
-      sheets.Measure(static_cast<Index>(first), static_cast<Index>(last), nullptr, *patch, ofFaces);
+      triangles.Measure(
+        static_cast<Index>(first), static_cast<Index>(last), nullptr, *patch, ofFaces);
     });
   std::vector<double> distances(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), Infinity);
   for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
