@@ -126,3 +126,20 @@ TEST(Clearance, DoNotDependOnTheThreads)
   const Surface surface = BumpySphere(4, 3.0, 0.2, 7);
   EXPECT_EQ(DistancesOf(surface, 1.0, 1), DistancesOf(surface, 1.0, 3));
 }
+
+TEST(Clearance, IsNotAboveTheDistanceOfNeedles)
+{
+  // A needle so thin that its normal is rounding, and a triangle that touches it.
+  for (const double height : { 1e-6, 1e-10, 1e-13, 1e-15 })
+  {
+    Surface both;
+    both.Points = { Vector3(100.1, 37.3, 55.7), Vector3(101.1, 37.9, 55.1),
+      Vector3(100.6, 37.6 + height, 55.4), Vector3(100.6, 37.6, 55.4), Vector3(100.7, 39.0, 56.0),
+      Vector3(100.5, 39.0, 57.0) };
+    both.Triangles = { { 0, 1, 2 }, { 3, 4, 5 } };
+    for (const double distance : DistancesOf(both, 1.0))
+    {
+      EXPECT_LT(distance, 1e-5) << height;
+    }
+  }
+}

@@ -10,6 +10,7 @@
  *                       every face and every original is proved, with these limits       (BulkProof)
  *                       no pair of faces intersects or is too near                       (StateCheck)
  *                       closed fragments keep their volume                               (FragmentGuard)
+ *                       components lie within the same others as before                  (Containment)
  *                       what is rejected is undone, and all edits that depend on it
  *                   after four failures at a vertex, one more of the last edits there each time; after too many turns, the whole draft
  *                   coverage, gaps, quadrics and volumes are those of the edits that are left
@@ -44,9 +45,10 @@ struct Draft
   }
 
   std::shared_ptr<EditJournal> Journal;
-  ErrorLimits Limits;                 ///< Of the bound, and less than half of the clearance.
-  std::optional<StateCheck> State;    ///< If there is a guard.
-  std::vector<std::uint8_t> Failures; ///< Of each vertex, edits that were rejected.
+  ErrorLimits Limits;                      ///< Of the bound, and less than half of the clearance.
+  std::vector<std::vector<Index>> Holders; ///< Of each component, at first, if there is a guard.
+  std::optional<StateCheck> State;         ///< If there is a guard.
+  std::vector<std::uint8_t> Failures;      ///< Of each vertex, edits that were rejected.
   std::vector<std::shared_ptr<EditFilter>>
     ExactFilters; ///< Of the editor, while the draft has its own.
   std::array<std::int64_t, NumberOfRejections>

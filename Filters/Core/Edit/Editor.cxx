@@ -59,6 +59,7 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
   , Continued(settings.Reference)
   , KeepsQuadrics(settings.KeepsQuadrics)
   , Source(clean, settings.RecordsDistances)
+  , KnowsAround(settings.Reference == nullptr || settings.EditZone)
 {
   if (!settings.SmoothedPositions.empty())
   {

@@ -231,7 +231,9 @@ private:
   };
   void ForgetPending();
   std::vector<Index> FindRejectedEdits(BulkProof& proof, int threads);
-  ErrorLimits LimitsOfDraft(int threads) const;
+  std::vector<std::vector<Index>> FindHolders(const BoundingTree* tree, int threads) const;
+  std::vector<char> FindWrongComponents(int threads) const;
+  ErrorLimits LimitsOfDraft(bool isFirst, int threads) const;
   void Undo(const std::vector<Index>& edits);
   void UndoWithDependents(Index edit);
   void UndoOne(Index edit);
@@ -251,6 +253,7 @@ private:
   std::shared_ptr<ErrorBound> Bound;
   std::shared_ptr<IntersectionGuard> Guard;
   bool GuardsVoxels = false;
+  bool KnowsAround; // the original within two errors of what is edited
   std::shared_ptr<EditRecorder> Recorder;
   std::vector<std::shared_ptr<EditFilter>> Filters; // in order
   bool NeedsSurfaceChange = false;                  // whether any filter does

@@ -6,10 +6,12 @@
 #include "ErrorBound/BulkProof.h"
 #include "ErrorBound/DraftFilter.h"
 #include "Intersections/Clearance.h"
+#include "Intersections/Containment.h"
 #include "Intersections/IntersectionGuard.h"
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 namespace bonedecimate
 {
@@ -24,20 +26,38 @@ constexpr int MostTurns = 120;
 constexpr double LessThanHalf = 0.49;
 /// Largest errors within which other parts are looked for: both may move by one, and a hundredth is for rounding.
 constexpr double ErrorsOfClearance = 2.01;
+
+/// Whether nothing has been edited.
+bool IsAsAtFirst(const HalfEdgeMesh& first, const HalfEdgeMesh& now)
+{
+  bool isSame = first.NumberOfFaceSlots() == now.NumberOfFaceSlots();
+  for (FaceId face = 0; isSame && face < first.NumberOfFaceSlots(); ++face)
+  {
+    isSame = first.IsAlive(face) == now.IsAlive(face) &&
+      (!now.IsAlive(face) ||
+        (first.Corners(face) == now.Corners(face) &&
+          PositionsOf(first, face) == PositionsOf(now, face)));
+  }
+  return isSame;
+}
 }
 
 bool Editor::BeginDraft(int threads)
 {
-  const bool canDraft = this->DraftFound.Status == DraftStatus::NotUsed && !this->AfterEdit;
+  const bool canDraft = this->DraftFound.Status == DraftStatus::NotUsed && !this->AfterEdit &&
+    (!this->Guard || this->KnowsAround);
   if (!canDraft)
   {
     return false;
   }
   this->DraftFound.Status = DraftStatus::Used;
-  this->Drafted = std::make_unique<Draft>(this->Half, this->LimitsOfDraft(threads));
+  const bool isFirst = IsAsAtFirst(this->BoundedMesh(), this->Half);
+  this->Drafted = std::make_unique<Draft>(this->Half, this->LimitsOfDraft(isFirst, threads));
   if (this->Guard)
   {
     this->Drafted->State.emplace(this->Guard->CheckOf(*this->Drafted->Journal));
+    this->Drafted->Holders =
+      this->FindHolders(isFirst ? &this->BoundedTree(threads) : nullptr, threads);
   }
   this->Drafted->ExactFilters = this->Filters;
   this->Drafted->Rejections = this->RejectionCounts;
@@ -46,8 +66,13 @@ bool Editor::BeginDraft(int threads)
   {
     if (filter == this->Bound)
     {
-      this->Filters.push_back(std::make_shared<DraftFilter>(
-        *this->Bound, this->Drafted->Limits, this->Half, this->CurrentVertices(), threads));
+      const auto draftFilter = std::make_shared<DraftFilter>(
+        *this->Bound, this->Drafted->Limits, this->Half, this->CurrentVertices(), threads);
+      if (this->Guard && !isFirst)
+      {
+        draftFilter->KeepUnproved(this->Half, threads);
+      }
+      this->Filters.push_back(draftFilter);
     }
     else if (filter != this->Guard)
     {
@@ -61,14 +86,13 @@ bool Editor::BeginDraft(int threads)
 
 //------------------------------------------------------------------------------
 /// Where the mesh is not the original, what is near another part does not move at all: it may be anywhere within the bound.
-ErrorLimits Editor::LimitsOfDraft(int threads) const
+ErrorLimits Editor::LimitsOfDraft(bool isFirst, int threads) const
 {
   ErrorLimits limits = this->Bound->Limits();
   if (this->Guard)
   {
-    const bool isOriginal = this->Continued == nullptr && !this->Unsmoothed;
     limits.Reduce(Clearances(this->BoundedMesh(), ErrorsOfClearance * limits.Most(), threads),
-      isOriginal ? LessThanHalf : 0.0);
+      isFirst ? LessThanHalf : 0.0);
   }
   return limits;
 }
@@ -121,11 +145,11 @@ std::vector<Index> Editor::FindRejectedEdits(BulkProof& proof, int threads)
   }
   if (edits.empty())
   {
-    const std::vector<char> isTooSmall = this->Fragments->FindTooSmall(this->Half);
+    const std::vector<char> isWrong = this->FindWrongComponents(threads);
     for (Index edit = 0; edit < journal.Count(); ++edit)
     {
       const JournalEntry& entry = journal.Entry(edit);
-      if (!entry.IsUndone && isTooSmall[this->Fragments->ComponentOf(entry.Keep)] != 0)
+      if (!entry.IsUndone && isWrong[this->Fragments->ComponentOf(entry.Keep)] != 0)
       {
         edits.push_back(edit);
       }
@@ -134,6 +158,41 @@ std::vector<Index> Editor::FindRejectedEdits(BulkProof& proof, int threads)
   std::sort(edits.begin(), edits.end(), std::greater<>());
   edits.erase(std::unique(edits.begin(), edits.end()), edits.end());
   return edits;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<Index>> Editor::FindHolders(const BoundingTree* tree, int threads) const
+{
+  return bonedecimate::FindHolders(
+    this->Half, this->Fragments->Count(),
+    [this](VertexId v) { return this->Fragments->ComponentOf(v); }, tree, threads);
+}
+
+//------------------------------------------------------------------------------
+/// Those that became too small, or do not lie within the same closed others as before.
+std::vector<char> Editor::FindWrongComponents(int threads) const
+{
+  std::vector<char> isWrong = this->Fragments->FindTooSmall(this->Half);
+  if (this->Guard)
+  {
+    const std::vector<std::vector<Index>>& before = this->Drafted->Holders;
+    const std::vector<std::vector<Index>> now = this->FindHolders(nullptr, threads);
+    for (std::size_t i = 0; i < now.size(); ++i)
+    {
+      std::vector<Index> changed;
+      std::set_symmetric_difference(before[i].begin(), before[i].end(), now[i].begin(),
+        now[i].end(), std::back_inserter(changed));
+      for (const Index other : changed)
+      {
+        if (this->Fragments->IsClosed(other))
+        {
+          isWrong[i] = 1;
+          isWrong[other] = 1;
+        }
+      }
+    }
+  }
+  return isWrong;
 }
 
 //------------------------------------------------------------------------------

@@ -37,6 +37,7 @@ public:
   Index Count() const { return static_cast<Index>(this->Volumes.size()); }
 
   Index ComponentOf(VertexId vertex) const { return this->OfVertex[vertex]; }
+  bool IsClosed(Index component) const { return this->Volumes[component].IsClosed; }
   /// mm^3, the volume before the first edit less that at the last DistributeBudget, both signed; 0 unless it is closed.
   double LostVolume(Index component) const
   {

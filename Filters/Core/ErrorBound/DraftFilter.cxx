@@ -94,6 +94,34 @@ void DraftFilter::Distribute(
 }
 
 //------------------------------------------------------------------------------
+void DraftFilter::KeepUnproved(const HalfEdgeMesh& mesh, int threads)
+{
+  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Allowed);
+  this->IsKept.assign(this->FirstOfFaces.size(), 0);
+  ForEachChunk(this->IsKept.size(), threads, {},
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      const std::shared_ptr<Prover> prover = this->Shared.BorrowProver();
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const FaceId face = static_cast<Index>(i);
+        const bool isProved = !mesh.IsAlive(face) ||
+          prover->Back.Prove(
+            original, PositionsOf(mesh, face), this->Shared.Nearest[mesh.Corners(face)[0]]);
+        this->IsKept[i] = isProved ? 0 : 1;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool DraftFilter::Keeps(const SurfaceChange& change) const
+{
+  return !this->IsKept.empty() &&
+    std::any_of(change.OldFaces.begin(), change.OldFaces.end(),
+      [this](Index face) { return this->IsKept[face] != 0; });
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<EditFilter::Pending> DraftFilter::MakePending()
 {
   return std::make_shared<Pending>();
@@ -105,7 +133,7 @@ Decision DraftFilter::Screen(
 {
   const SurfaceChange& change = edit.Change;
   const bool isFree = edit.Requested.Kind == EditKind::Collapse &&
-    mesh.MovesFreely(change.Ends[0]) && mesh.MovesFreely(change.Ends[1]);
+    mesh.MovesFreely(change.Ends[0]) && mesh.MovesFreely(change.Ends[1]) && !this->Keeps(change);
   return isFree ? Rejection::NotRejected : Rejection::Boundary;
 }
 

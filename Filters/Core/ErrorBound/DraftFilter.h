@@ -32,6 +32,9 @@ public:
   DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
     const std::vector<Index>& current, int threads);
 
+  /// Faces that are not within the limits keep as they are: for a mesh that is not the original.
+  void KeepUnproved(const HalfEdgeMesh& mesh, int threads);
+
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }
   Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
@@ -56,12 +59,14 @@ private:
   bool NewFacesAreNear(const ProposedEdit& edit, Pending& work) const;
   bool FacesAreProved(
     const SurfaceChange& change, const WalkedSurface& original, Index nearest) const;
+  bool Keeps(const SurfaceChange& change) const;
 
   ErrorBound& Shared;
   const ErrorLimits& Allowed;
   std::vector<Sample> Samples;
   std::vector<Index> At;           // of each sample, an original vertex near it
   std::vector<Index> FirstOfFaces; // the first sample of each face
+  std::vector<char> IsKept;        // of each face; empty: none is
 };
 }
 

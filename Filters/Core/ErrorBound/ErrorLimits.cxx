@@ -44,9 +44,9 @@ double SlackOf(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
 ErrorLimits::ErrorLimits(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
   : Original(original)
 {
-  const double slack = SlackOf(original, settings);
-  const auto withoutSlack = [slack](double error)
-  { return RoundedDown(std::max(0.0, error * (1.0 - RelativeSlack) - slack)); };
+  this->Slack = SlackOf(original, settings);
+  const auto withoutSlack = [this](double error)
+  { return RoundedDown(std::max(0.0, error * (1.0 - RelativeSlack) - this->Slack)); };
   this->Everywhere = withoutSlack(settings.Error);
   if (settings.Tolerances != nullptr)
   {
@@ -71,7 +71,8 @@ void ErrorLimits::Reduce(const std::vector<double>& distances, double part)
   {
     if (isNear(distances[v]))
     {
-      this->Values[v] = std::min(this->Values[v], RoundedDown(part * distances[v]));
+      this->Values[v] =
+        std::min(this->Values[v], RoundedDown(std::max(0.0, part * distances[v] - this->Slack)));
     }
   }
 }

@@ -27,7 +27,7 @@ public:
   /// @param original Must not change.
   ErrorLimits(const HalfEdgeMesh& original, const ErrorBoundSettings& settings);
 
-  /// At each vertex not more than that part of the distance, mm.
+  /// At each vertex not more than that part of the distance, less the slack; mm.
   void Reduce(const std::vector<double>& distances, double part);
 
   /// mm, the largest of all.
@@ -60,6 +60,7 @@ public:
 
 private:
   const HalfEdgeMesh& Original;
+  double Slack = 0.0;         // mm
   double Everywhere = 0.0;    // mm
   std::vector<double> Values; // mm, of each vertex; empty: the same for all
 };

@@ -98,14 +98,18 @@ struct Boxed
   FaceId Face;
 };
 
-/// mm, by which b lies beyond the plane of a, or 0.
+/// mm, between two triangles along the normal of the first, or 0. Any direction of length 1 would do.
 double GapAlongNormal(const TriangleCorners& a, const TriangleCorners& b)
 {
   const Vector3 normal = (a[1] - a[0]).cross(a[2] - a[0]).normalized();
-  const std::array<double, 3> heights = { Dot(normal, b[0] - a[0]), Dot(normal, b[1] - a[0]),
-    Dot(normal, b[2] - a[0]) };
-  const auto ends = std::minmax_element(heights.begin(), heights.end());
-  return std::max({ 0.0, *ends.first, -*ends.second });
+  const auto ends = [&](const TriangleCorners& c)
+  {
+    return std::minmax(
+      { Dot(normal, c[0] - a[0]), Dot(normal, c[1] - a[0]), Dot(normal, c[2] - a[0]) });
+  };
+  const auto ofA = ends(a);
+  const auto ofB = ends(b);
+  return std::max({ 0.0, ofB.first - ofA.second, ofA.first - ofB.second });
 }
 
 /// The triangles of a mesh in a tree.
@@ -145,6 +149,10 @@ public:
         return;
       }
       near = &own;
+    }
+    if (last - first == 1 && !this->Mesh.IsAlive(first))
+    {
+      return;
     }
     if (last - first == 1)
     {
@@ -273,9 +281,12 @@ std::vector<double> Clearances(const HalfEdgeMesh& mesh, double limit, int threa
   std::vector<double> distances(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), Infinity);
   for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
-    for (const VertexId v : mesh.Corners(face))
+    if (mesh.IsAlive(face))
     {
-      distances[v] = std::min(distances[v], ofFaces[face]);
+      for (const VertexId v : mesh.Corners(face))
+      {
+        distances[v] = std::min(distances[v], ofFaces[face]);
+      }
     }
   }
   return distances;

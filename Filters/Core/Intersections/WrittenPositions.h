@@ -27,14 +27,14 @@ public:
     const Surface& input, const CleanSurface& clean, double error, const PointRounding& rounding);
 
   Vector3 Of(VertexId vertex, const Vector3& local) const;
-  /// mm, the most by which a coordinate written differs from the local one and the origin, exactly added.
-  double Rounding() const { return this->MostRounding; }
+  /// mm, the most by which the difference of two coordinates written differs from that of the local ones, exactly subtracted.
+  double Rounding() const { return 2.0 * this->MostRounding; }
 
 private:
   const Surface* Input = nullptr;
   const CleanSurface* Clean = nullptr;
   PointRounding Rounds = {};
-  double MostRounding = 0.0;
+  double MostRounding = 0.0; // mm, of one coordinate
 };
 }
 

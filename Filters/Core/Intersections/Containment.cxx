@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Containment.h"
+
+#include "TrianglePair.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace bonedecimate
+{
+namespace
+{
+Surface TrianglesOf(const HalfEdgeMesh& mesh, std::vector<FaceId>& faces)
+{
+  Surface surface;
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    surface.Points.push_back(mesh.Position(v));
+  }
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (mesh.IsAlive(face))
+    {
+      surface.Triangles.push_back(mesh.Corners(face));
+      faces.push_back(face);
+    }
+  }
+  return surface;
+}
+
+/// Those that occur an odd number of times.
+std::vector<Index> OddOnes(std::vector<Index> components)
+{
+  std::sort(components.begin(), components.end());
+  std::vector<Index> odd;
+  for (auto first = components.begin(); first != components.end();)
+  {
+    const auto next = std::upper_bound(first, components.end(), *first);
+    if ((next - first) % 2 != 0)
+    {
+      odd.push_back(*first);
+    }
+    first = next;
+  }
+  return odd;
+}
+
+/// Searches among the faces of a mesh.
+class HolderSearch
+{
+public:
+  HolderSearch(const HalfEdgeMesh& mesh, const std::function<Index(VertexId)>& componentOf,
+    const BoundingTree* tree, int threads)
+    : Mesh(mesh)
+    , ComponentOf(componentOf)
+    , Tree(tree)
+  {
+    if (tree == nullptr)
+    {
+      this->Own.emplace(TrianglesOf(mesh, this->Faces), threads);
+      this->Tree = &*this->Own;
+    }
+  }
+
+  /// Components that a ray from the vertex leaves an odd number of times; none if it is unclear.
+  std::optional<std::vector<Index>> Along(
+    VertexId vertex, const Vector3& direction, double length) const
+  {
+    const Vector3 from = this->Mesh.Position(vertex);
+    const Vector3 end = from + length * direction;
+    const Index own = this->ComponentOf(vertex);
+    std::vector<Index> met;
+    bool isClear = true;
+    this->Tree->VisitAlong(from, direction, length,
+      [&](Index triangle)
+      {
+        const FaceId face = this->Faces.empty() ? FaceId(triangle) : this->Faces[triangle];
+        const Index component = this->ComponentOf(this->Mesh.Corners(face)[0]);
+        if (component != own)
+        {
+          const RayResult result =
+            ShootRay(from, end, PlaneTriangle(PositionsOf(this->Mesh, face)));
+          isClear = isClear && result != RayResult::Unclear;
+          if (result == RayResult::Hits)
+          {
+            met.push_back(component);
+          }
+        }
+      });
+    return isClear ? std::optional<std::vector<Index>>(OddOnes(met)) : std::nullopt;
+  }
+
+private:
+  const HalfEdgeMesh& Mesh;
+  const std::function<Index(VertexId)>& ComponentOf;
+  const BoundingTree* Tree;
+  std::vector<FaceId> Faces; // of the tree; empty: its triangles are the faces
+  std::optional<BoundingTree> Own;
+};
+
+/// mm, longer than any way within the mesh.
+double LengthOf(const HalfEdgeMesh& mesh)
+{
+  double length = 0.0;
+  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+  {
+    length = std::max(length, 4.0 * (mesh.Position(v) - mesh.Position(0)).norm());
+  }
+  return length;
+}
+}
+
+std::vector<std::vector<Index>> FindHolders(const HalfEdgeMesh& mesh, Index components,
+  const std::function<Index(VertexId)>& componentOf, const BoundingTree* tree, int threads)
+{
+  std::vector<std::vector<Index>> holders(static_cast<std::size_t>(components));
+  if (components < 2)
+  {
+    return holders;
+  }
+  const HolderSearch search(mesh, componentOf, tree, threads);
+  const double length = LengthOf(mesh);
+  std::vector<char> isFound(holders.size(), 0);
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    const VertexId vertex = mesh.IsAlive(face) ? mesh.Corners(face)[0] : None;
+    if (vertex == None || isFound[componentOf(vertex)] != 0)
+    {
+      continue;
+    }
+    isFound[componentOf(vertex)] = 1;
+    // Directions that no modeled geometry is aligned with.
+    for (const Vector3& direction : { Vector3(0.61, 0.53, 0.587), Vector3(-0.37, 0.71, -0.599),
+           Vector3(0.43, -0.29, 0.855), Vector3(-0.12, -0.81, 0.574) })
+    {
+      if (const auto found = search.Along(vertex, direction.normalized(), length))
+      {
+        holders[componentOf(vertex)] = *found;
+        break;
+      }
+    }
+  }
+  return holders;
+}
+}
