@@ -18,6 +18,8 @@ namespace
 constexpr double RatioOfLimit = 0.8;
 /// Of a sample's limit: with a smaller accumulated error new faces are hardly ever too far away.
 constexpr double SmallAccumulatedError = 0.3;
+/// Of the largest limit: where limits are smaller, they change from triangle to triangle.
+constexpr double MuchLess = 0.5;
 /// Of the mean edge of the original: with smaller limits, errors within an edge count.
 constexpr double LimitForEdges = 0.3;
 }
@@ -167,7 +169,7 @@ bool DraftFilter::SamplesAreNear(const SurfaceChange& change, Pending& work) con
     for (Index s = this->FirstOfFaces[old]; s != None; s = this->Samples[s].Next)
     {
       const Sample& sample = this->Samples[s];
-      work.IsLimited = work.IsLimited || sample.Limit < RatioOfLimit * this->Allowed.Most();
+      work.IsLimited = work.IsLimited || sample.Limit < MuchLess * this->Allowed.Most();
       work.Distances.FacesNear(sample.Position, sample.Limit);
       std::size_t nearest = 0;
       for (std::size_t i = 1; i < change.NewFaces.size(); ++i)
