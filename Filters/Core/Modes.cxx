@@ -34,14 +34,16 @@ const std::vector<ModeInfo>& ModeTable()
         "least squares to the planes, volume preserved", "none" } },
     // Spikes weigh more than in Fast: refinement wins back the mean error that costs.
     { Mode::Balanced, "Balanced", byQuadricDeviation, Error::ProvedBound, false, true,
-      { 0.5, 4, MaximumPositions }, { 0.2, 0.02, 4, 1, 1, 3, 2, 1, 0, 1, 2 }, collapseAndRefine,
+      { 0.5, 4, MaximumPositions }, { 0.2, 0.02, 4, 1, 1, 4, 2, 1, 0, 1, 0.11, 2 },
+      collapseAndRefine,
       { "planning on the result",
         "as `Fast`; without a largest error, the last ones by sampled error",
         "as `Fast`, then fitted to the original",
-        "edge flips and vertex moves: one pass before the last collapses and one after (three if "
+        "edge flips and vertex moves: one pass before the last collapses and one after (four if "
         "few triangles remain)" } },
     { Mode::Accurate, "Accurate", byQuadricDeviation, Error::ProvedBound, false, true,
-      { 0.5, 4, MaximumPositions }, { 0.3, 0.06, 4, 1, 6, 8, 2, 2, 6, 3, 3 }, collapseAndRefine,
+      { 0.5, 4, MaximumPositions }, { 0.3, 0.06, 4, 1, 6, 8, 2, 2, 6, 3, 0.0, 3 },
+      collapseAndRefine,
       { "smallest error for a number of triangles",
         "as `Balanced`, with more collapses by sampled error", "as `Balanced`",
         "one pass before, six after (eight if few triangles remain)" } },

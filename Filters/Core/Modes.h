@@ -106,6 +106,8 @@ struct RefineSettings
   int ProvedSweeps = 0;      ///< Sweeps by slack in each of these rounds.
   int ForcedRounds = 0;      ///< Most rounds of collapses that need moves around them, and a sweep.
   int ProvedSweepsAfter = 0; ///< Sweeps of flips and moves after them.
+  double ShapeWeight =
+    0.0; ///< Of Cost/SampledErrorCost.h, where nothing but a number of triangles ends the run.
   int VoxelRounds = 0; ///< How often sweeps and collapses alternate where voxels alone limit edits.
 };
 

@@ -54,7 +54,7 @@ BATCH = "Filters/Core/Schedule/BatchSweep.cxx"
 BATCH_TESTS = "BatchSweep*"
 DRAFT_TESTS = "Draft*:EditJournal*:FaceHistory*:EditReplay*:BulkProof*"
 REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*:GapsOfADraft*"
-SHAPE_TESTS = "ShapeFilter*:ShapeImprover*:MinimumAngle*:RingShape*"
+SHAPE_TESTS = "ShapeFilter*:ShapeImprover*:ShapePenalty*:MinimumAngle*:RingShape*"
 TUNNEL_TESTS = "Tunnels*:EdgeGraph*"
 SPLIT_TESTS = "EdgeSplit*:EdgeLength*:FreeSlots*"
 CERTIFICATE_TESTS = "OverlayCover*:Certificate*:ResultProof*"
@@ -235,6 +235,10 @@ MUTANTS = (
            "vertex, local, this->Rounds);",
            "vertex, local, local == this->Clean->Surface.Points[vertex] ? PointRounding() : this->Rounds);",
            "FlatIntersectionGuard*"),
+    of_draft("narrow triangles cost no more than others", "Filters/Core/Cost/ShapePenalty.h", "return this->Weight * r * r;",
+             "return this->Weight / (1.0 + r * r);", SHAPE_TESTS),
+    of_draft("shapes do not count without an angle", "Filters/Core/Stages/Refinement.cxx", "editor.LimitsEdits() ? 0.0 : shapeWeight",
+             "editor.LimitsEdits() ? shapeWeight : 0.0", SHAPE_TESTS),
     of_draft("only one of the new triangles must have the least angle", "Filters/Core/EditFilters/ShapeFilter.cxx",
              "after = std::max(after,", "after = std::min(after + 1.0,", SHAPE_TESTS),
     of_draft("an angle may become smaller if the one before was below the least", "Filters/Core/EditFilters/ShapeFilter.cxx",

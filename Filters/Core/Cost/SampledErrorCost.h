@@ -9,9 +9,12 @@
  *
  *     error = sum over samples   area f(d(sample, its face))  +  far(d, 8)
  *           + sum over vertices  back weight * area of ring / 3  f(d(vertex, original))  +  far(d, 5)
+ *           + sum over faces     shape weight * mean area of a face * f(root mean square of the samples) / (q + 0.02)^2
  *           + sum over two points on each sharply folded edge  far(d(point, original), 8)       squares of the unit
  *     f(d) = (d / unit)^(3/2)          between the average (1) and the root mean square (2)
  *     far(d, k) = mean area of a face * f(T) * ((d / T)^2 - 1)^2  beyond T = k * root mean square of the samples, else 0
+ *
+ *     q of ShapePenalty.h: flips, moves and collapses that leave about the same distances go by the shapes
  *
  * f measures typical distances. far measures outliers and is not weighted by area, because the tip of a spur has no area,
  * and neither has a chord across a notch in the rim of a thin plate, whose samples all lie on the plate. The fourth power
@@ -23,6 +26,7 @@
 #ifndef BoneDecimate_Core_Cost_SampledErrorCost_h
 #define BoneDecimate_Core_Cost_SampledErrorCost_h
 
+#include "Cost/ShapePenalty.h"
 #include "Reference/Samples.h"
 
 #include <algorithm>
@@ -117,6 +121,8 @@ public:
     : Near(unit)
     , Far(Beyond(FarOfSamples, unit, usual))
     , FarVertex(Beyond(FarOfVertices, unit, usual))
+    , Shape(
+        usual.ShapeWeight * usual.FaceArea * ThreeHalves(unit).Of(usual.Distance * usual.Distance))
   {
   }
 
@@ -138,6 +144,7 @@ public:
   {
     return Sum(this->Near.WithWeight(area, squared), this->FarVertex, squared);
   }
+  const ShapePenalty& OfShapes() const { return this->Shape; }
   const FarPenalty& OfChords() const { return this->Far; }
   const FarPenalty& OfFarVertices() const { return this->FarVertex; }
 
@@ -164,6 +171,7 @@ private:
   ThreeHalves Near;
   FarPenalty Far;
   FarPenalty FarVertex;
+  ShapePenalty Shape;
 };
 }
 

@@ -58,6 +58,10 @@ public:
 
   const Vector3& UnitNormal() const { return this->Normal; } ///< Zero without area.
   double SurfaceArea() const { return this->Area; }          ///< mm^2
+  const Vector3& SideToB() const { return this->AB; }
+  const Vector3& SideToC() const { return this->AC; }
+  /// The sum of all three, mm^2.
+  double SquaredSides() const { return 2.0 * (this->Bb + this->Cc - this->Bc); }
   bool HasPlane() const { return this->Inverse > 0.0; }
 
   /// The weights of b and c at the projection of p onto the plane, also outside of the triangle; zero without a plane.

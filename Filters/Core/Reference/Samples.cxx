@@ -34,13 +34,15 @@ double AreaOf(const HalfEdgeMesh& mesh, FaceId face)
 }
 }
 
-Samples::Samples(const HalfEdgeMesh& original, bool mayBeThree, std::vector<float> limits)
+Samples::Samples(
+  const HalfEdgeMesh& original, bool mayBeThree, std::vector<float> limits, double shapeWeight)
   : Source(original)
   , Unit(original.Unit())
   , MayBeThree(mayBeThree)
   , Limits(std::move(limits))
   , Firsts(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
 {
+  this->Measured.ShapeWeight = shapeWeight;
   float largest = 0.0F;
   for (const float limit : this->Limits)
   {

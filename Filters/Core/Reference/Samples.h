@@ -40,8 +40,9 @@ public:
   /// @param mayBeThree Take three samples in each triangle if many faces remain. False: always one, which suffices where
   ///   every edit is proved.
   /// @param limits mm, of each vertex: how far the result may be from it. Empty: infinite.
-  explicit Samples(
-    const HalfEdgeMesh& original, bool mayBeThree = true, std::vector<float> limits = {});
+  /// @param shapeWeight What Spread() says.
+  explicit Samples(const HalfEdgeMesh& original, bool mayBeThree = true,
+    std::vector<float> limits = {}, double shapeWeight = 0.0);
 
   /// Both return false after an abort; the lists are unusable then.
   /// @param current Of each original vertex the vertex of the mesh into which it was merged, or one near it.
@@ -57,11 +58,12 @@ public:
     return { this->Unit * sample.Position[0], this->Unit * sample.Position[1],
       this->Unit * sample.Position[2] };
   }
-  /// Averages, after Distribute.
+  /// Averages, after Distribute, and what shapes weigh against them.
   struct Usual
   {
-    double Distance = 0.0; ///< Root mean square over the samples, mm.
-    double FaceArea = 0.0; ///< Mean over the faces, squares of the unit.
+    double Distance = 0.0;    ///< Root mean square over the samples, mm.
+    double FaceArea = 0.0;    ///< Mean over the faces, squares of the unit.
+    double ShapeWeight = 0.0; ///< Of Cost/SampledErrorCost.h; 0: distances alone count.
   };
   const Usual& Spread() const { return this->Measured; }
 

@@ -49,7 +49,8 @@ double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, FaceId face)
 /// No less than `enough` if that is reached on the way, or a sample is farther than its limit.
 double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
 {
-  double error = 0.0;
+  double error =
+    this->Weigh.OfShapes().Of(after.Frames[0]) + this->Weigh.OfShapes().Of(after.Frames[1]);
   for (const FaceId face : after.Faces)
   {
     for (Index s = this->Fit.First(face); s != None && error < enough; s = this->Fit[s].Next)

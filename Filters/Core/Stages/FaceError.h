@@ -28,12 +28,12 @@ inline bool FoldSharply(const Vector3& oneNormal, const Vector3& otherNormal)
 /// Points at which chords are measured, as fractions of the edge.
 constexpr std::array<double, 2> ChordFractions = { 1.0 / 3.0, 2.0 / 3.0 };
 
-/// The samples' part of the error of SampledErrorCost.h, squares of the mesh's unit.
+/// The part of the error of SampledErrorCost.h that is due to its samples and its shape, squares of the mesh's unit.
 /// @param frame The face as it is, or as it would be.
 inline double ErrorOfFace(
   const Samples& samples, const ErrorPenalty& penalty, FaceId face, const TriangleFrame& frame)
 {
-  double error = 0.0;
+  double error = penalty.OfShapes().Of(frame);
   samples.VisitFace(face,
     [&](const Samples::Sample& sample)
     {
@@ -47,7 +47,7 @@ inline double ErrorOfFace(
 inline double ErrorWithinLimits(
   const Samples& samples, const ErrorPenalty& penalty, FaceId face, const TriangleFrame& frame)
 {
-  double error = 0.0;
+  double error = penalty.OfShapes().Of(frame);
   samples.VisitFace(face,
     [&](const Samples::Sample& sample)
     {

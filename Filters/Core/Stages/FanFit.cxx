@@ -79,7 +79,7 @@ FanFit::Result FanFit::EvaluateAt(const EdgeNeighborhood& around, const Vector3&
 }
 
 //------------------------------------------------------------------------------
-/// Looked for near both ends.
+/// And the shapes of its faces. Looked for near both ends.
 void FanFit::AddVertex(const EdgeNeighborhood& around, Result& result, FitStep* step) const
 {
   const PointOnMesh atStart = this->Back.Find(result.Position, around.Start);
@@ -90,6 +90,11 @@ void FanFit::AddVertex(const EdgeNeighborhood& around, Result& result, FitStep* 
   for (const TriangleFrame& frame : this->Frames)
   {
     area += frame.SurfaceArea();
+    result.Error += this->Weigh.OfShapes().Of(frame);
+    if (step != nullptr)
+    {
+      step->AddShape(this->Weigh.OfShapes().At(frame));
+    }
   }
   const double weight = BackWeightOfCollapse * CornerFraction * this->Weigh.InUnits(area);
   result.Hint = found.Face;

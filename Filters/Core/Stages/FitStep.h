@@ -13,6 +13,7 @@
 #ifndef BoneDecimate_Core_Stages_FitStep_h
 #define BoneDecimate_Core_Stages_FitStep_h
 
+#include "Cost/ShapePenalty.h"
 #include "Geometry/TriangleFrame.h"
 
 #include <Eigen/Dense>
@@ -48,6 +49,15 @@ public:
     const TriangleFrame::Point& nearest, double fraction, double weight)
   {
     this->Add(frame.At(nearest) - point, frame, nearest, fraction, weight);
+  }
+
+  /// The shape of a triangle with the vertex as corner A.
+  void AddShape(const ShapePenalty::Slope& slope)
+  {
+    this->Pull += slope.Pull;
+    this->Upper[0] += slope.Stiffness;
+    this->Upper[3] += slope.Stiffness;
+    this->Upper[5] += slope.Stiffness;
   }
 
   Vector3 Solve() const

@@ -149,7 +149,7 @@ bool Refine(const StageInput& input, const Monitor& monitor)
 {
   constexpr double collapsedAt = 0.7;
   const RefineSettings& settings = input.Mode.Refine;
-  Refinement refinement(input.MeshEditor, *input.InitialMesh, input.Threads);
+  Refinement refinement(input.MeshEditor, *input.InitialMesh, settings.ShapeWeight, input.Threads);
   if (input.MeshEditor.HasErrorBound())
   {
     return RefineWithinBound(input, refinement, monitor);

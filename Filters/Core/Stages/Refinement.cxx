@@ -19,9 +19,11 @@ std::vector<float> LimitsOf(const Editor& editor, const HalfEdgeMesh& original)
 }
 }
 
-Refinement::Refinement(Editor& editor, const HalfEdgeMesh& original, int threads)
+Refinement::Refinement(
+  Editor& editor, const HalfEdgeMesh& original, double shapeWeight, int threads)
   : MeshEditor(editor)
-  , Fit(original, !editor.HasErrorBound(), LimitsOf(editor, original))
+  , Fit(original, !editor.HasErrorBound(), LimitsOf(editor, original),
+      editor.LimitsEdits() ? 0.0 : shapeWeight)
   , Back(original, editor.NearInitial())
   , Threads(threads)
 {

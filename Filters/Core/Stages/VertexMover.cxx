@@ -9,8 +9,10 @@ namespace bonedecimate
 {
 namespace
 {
-/// A step that would lower the error by less than this fraction is not tried.
-constexpr double LeastGainOfMove = 3e-3;
+/// A step that would lower the error by less than this fraction is not tried,
+constexpr double LeastGainOfMove = 1e-3;
+/// and where it would have to be proved, by less than this one.
+constexpr double LeastGainOfProvedMove = 3e-3;
 constexpr int AttemptsOfMove = 3;
 }
 
@@ -24,7 +26,8 @@ bool VertexMover::Improve(VertexId vertex)
   }
   this->Gather(vertex);
   Vector3 step = this->Equations.Solve();
-  if (!(this->Equations.Gain(step) > LeastGainOfMove * this->Error))
+  const double least = this->MeshEditor.LimitsEdits() ? LeastGainOfProvedMove : LeastGainOfMove;
+  if (!(this->Equations.Gain(step) > least * this->Error))
   {
     return false;
   }
@@ -129,7 +132,8 @@ double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equa
 //------------------------------------------------------------------------------
 double VertexMover::AddSamples(const TriangleFrame& frame, FaceId face)
 {
-  double error = 0.0;
+  double error = this->Weigh.OfShapes().Of(frame);
+  this->Equations.AddShape(this->Weigh.OfShapes().At(frame));
   this->Fit.VisitFace(face,
     [&](const Samples::Sample& sample)
     {
