@@ -51,6 +51,8 @@ public:
 
   /// @param seed A triangle of the surface whose image meets T. With another one there is no bound.
   Bound Find(const Corners& triangle, Index seed);
+  /// The triangles that the last search met, the seed first.
+  const std::vector<Index>& Met() const { return this->Visited; }
 
 private:
   /// A point of the surface and its image. The signed area coordinates of the image in T are 1 - B - C, B and C.

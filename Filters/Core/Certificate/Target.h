@@ -62,6 +62,9 @@ public:
     return this->Tolerances.empty() ? 0.0 : this->Tolerances[simplex];
   }
 
+  /// Across each side of a simplex; only if covers are lent.
+  const std::array<Index, 3>& Neighbors(Index simplex) const { return this->Sides[simplex]; }
+
   const certificate::Simplices& All() const { return this->Set; }
   Corners CornersOf(Index simplex) const;
   bool HasCorner(Index simplex, const Vector3& position) const
