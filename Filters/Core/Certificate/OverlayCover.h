@@ -24,7 +24,6 @@
 #ifndef BoneDecimate_Core_Certificate_OverlayCover_h
 #define BoneDecimate_Core_Certificate_OverlayCover_h
 
-#include "EdgeSides.h"
 #include "Foot.h"
 #include "Simplices.h"
 
@@ -39,8 +38,8 @@ namespace bonedecimate::certificate
 class OverlayCover
 {
 public:
-  /// @param sides Of the surface. Both must outlive this.
-  OverlayCover(const Simplices& surface, const EdgeSides& sides);
+  /// @param surface Must outlive this.
+  explicit OverlayCover(const Simplices& surface);
 
   struct Bound
   {

@@ -168,17 +168,18 @@ void PieceSearch::Bound(Piece& piece, double parentUpper) const
     const Index candidate = piece.Corners[i].Nearest;
     const bool isKnown = (i > 0 && candidate == piece.Corners[0].Nearest) ||
       (i > 1 && candidate == piece.Corners[1].Nearest);
-    upper = isKnown ? upper : std::min(upper, this->UpperOver(piece, candidate));
+    upper = isKnown ? upper : std::min(upper, this->UpperOver(piece, candidate, upper));
   }
   piece.Upper = std::min(upper, parentUpper);
 }
 
 //------------------------------------------------------------------------------
-/// The largest excess over one simplex. It is reached at a corner because the distance is convex.
-double PieceSearch::UpperOver(const Piece& piece, Index simplex) const
+/// The largest excess over one simplex, or the first one that is not below the given bound. It is reached at a corner because the
+/// distance is convex.
+double PieceSearch::UpperOver(const Piece& piece, Index simplex, double bound) const
 {
   double upper = -Infinity;
-  for (int i = 0; i < piece.Count; ++i)
+  for (int i = 0; i < piece.Count && upper < bound; ++i)
   {
     upper = std::max(upper, this->UpperAt(piece.Corners[i], simplex));
   }

@@ -51,7 +51,7 @@ private:
   Piece Whole(Index simplex) const;
   bool CloseAsSame(const Piece& whole);
   void Bound(Piece& piece, double parentUpper) const;
-  double UpperOver(const Piece& piece, Index simplex) const;
+  double UpperOver(const Piece& piece, Index simplex, double bound) const;
   double UpperAt(const PieceCorner& corner, Index simplex) const;
   void Learn(const PieceCorner& corner, Index simplex);
   PieceCorner NewCorner(const Piece& piece, const CutWeights& weights) const;

@@ -82,8 +82,9 @@ struct KnownBounds
 };
 
 /// @param ofAll Evaluate all usable points, not only corners.
-PointValues FindPointValues(
-  const Simplices& source, const Target& target, bool ofAll, int threads, const Monitor& monitor);
+/// @param enough mm; values up to this need not be the least. Negative: all are.
+PointValues FindPointValues(const Simplices& source, const Target& target, bool ofAll,
+  double enough, int threads, const Monitor& monitor);
 
 /// Bounds of the largest excess of the source over the target.
 /// @param known Simplices whose upper bound is small enough are not searched.
