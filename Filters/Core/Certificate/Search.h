@@ -9,6 +9,7 @@
  *       for each simplex that is not closed yet, depth first:
  *         upper = least of  a. for a simplex F found nearest to one of the corners: largest excess over F of a corner
  *                           b. largest excess of a corner + how far a point of the piece can be from the corners
+ *                           c, d. what covers by several simplices prove: OverlayCover.h, JointCover.h
  *         upper <= goal: closed;   else cut an edge, find what is nearest to the new corner
  *     lower bound, again, by the distance to every simplex of the other set
  *
