@@ -31,7 +31,9 @@ GUARD = "Filters/Core/VoxelGuard/"
 INTERSECTIONS = "Filters/Core/Intersections/"
 REPLAY = INTERSECTIONS + "EditReplay.cxx"
 BULK = FOLDER + "BulkProof.cxx"
-OVERLAY = "Filters/Core/Certificate/OverlayCover.cxx"
+CERTIFICATE = "Filters/Core/Certificate/"
+OVERLAY = CERTIFICATE + "OverlayCover.cxx"
+JOINT = CERTIFICATE + "JointCover.cxx"
 
 
 class Mutant(NamedTuple):
@@ -57,7 +59,7 @@ REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*:GapsOfADraft*"
 SHAPE_TESTS = "ShapeFilter*:ShapeImprover*:ShapePenalty*:MinimumAngle*:RingShape*"
 TUNNEL_TESTS = "Tunnels*:EdgeGraph*"
 SPLIT_TESTS = "EdgeSplit*:EdgeLength*:FreeSlots*"
-CERTIFICATE_TESTS = "OverlayCover*:Certificate*:ResultProof*"
+CERTIFICATE_TESTS = "OverlayCover*:JointCover*:PointValues*:EdgeSides*:Certificate*:ResultProof*"
 
 
 def of_draft(name: str, file: str, right: str, wrong: str, tests: str = DRAFT_TESTS) -> Mutant:
@@ -172,6 +174,24 @@ MUTANTS = (
              "    if (next < 0)\n    {\n      continue;\n    }\n", CERTIFICATE_TESTS),
     of_draft("an overlay that is clipped at one side too many", OVERLAY, "(beyond & (1 << side)) != 0 ? Clip(polygon, side, ClipMargin * largest)",
              "(beyond & (1 << side)) != 0 ? Clip(polygon, side, -0.1 * largest)", CERTIFICATE_TESTS),
+    of_draft("a joint cover needs two corners of a piece", JOINT, "this->Known[piece[1]].Near & this->Known[piece[2]].Near;",
+             "this->Known[piece[1]].Near;", CERTIFICATE_TESTS),
+    of_draft("a joint cover forgets half of a piece", JOINT, "  this->Open.push_back(piece);\n  this->Open.back()[edge] = made;\n", "",
+             CERTIFICATE_TESTS),
+    of_draft("the nearest corner bounds a piece of a joint cover", JOINT, "std::max({ a[i], b[i], c[i] })",
+             "std::min({ a[i], b[i], c[i] })", CERTIFICATE_TESTS),
+    of_draft("a joint cover measures to beyond a side", JOINT, "squaredTo(b, 1.0 - b - Positive(1.0 - b - c));", "squaredTo(b, c);",
+             CERTIFICATE_TESTS),
+    of_draft("a joint cover forgets the candidates after the first group", JOINT, "this->Measure(corner, this->Measured);",
+             "this->Measure(corner, this->Known.size() > 3 ? this->Groups() : this->Measured);", CERTIFICATE_TESTS),
+    of_draft("a candidate that is too far covers a piece", JOINT, "corner.Squared[i] <= this->SquaredLimit ?",
+             "corner.Squared[i] <= 1.5 * this->SquaredLimit ?", CERTIFICATE_TESTS),
+    of_draft("the first corner bounds the distance of a piece", CERTIFICATE + "PieceSearch.cxx", "i < piece.Count && upper < bound; ++i",
+             "i < piece.Count && upper < 0.0; ++i", CERTIFICATE_TESTS),
+    of_draft("a near triangle counts as the nearest", CERTIFICATE + "Target.cxx", "return near.Value <= enough ?",
+             "return near.Value <= 2.0 * enough ?", CERTIFICATE_TESTS),
+    of_draft("points of one plane are merged", CERTIFICATE + "EdgeSides.cxx", "points[table[at]] != points[point]",
+             "points[table[at]].x() != points[point].x()", CERTIFICATE_TESTS),
     Mutant("points are smoothed too far", SMOOTHING + "Smoothing.cxx", "radii[p] = std::max(0.0, least);",
            "radii[p] = 1.5 * std::max(0.0, least);", SMOOTHING_TESTS),
     Mutant("octahedra without their margin", SMOOTHING + "DisplacementSets.cxx", "constexpr double Slack = 4e-3;",

@@ -27,7 +27,8 @@ Edges Sorted(Edges edges)
 Edges BoundariesFound(const Surface& surface)
 {
   Edges edges;
-  for (const certificate::BoundaryEdge& edge : certificate::FindBoundaries(surface))
+  for (const certificate::BoundaryEdge& edge :
+    certificate::FindBoundaries(surface, SidesOf(surface)))
   {
     edges.emplace_back(edge.Points[0], edge.Points[1]);
   }

@@ -9,6 +9,7 @@
 
 #include "BruteForce.h"
 #include "Certificate/Certificate.h"
+#include "Certificate/EdgeSides.h"
 #include "Random.h"
 #include "Shapes.h"
 
@@ -29,6 +30,11 @@ inline Surface Shaken(Surface surface, double amplitude, std::uint64_t seed)
     point += random.InCube(amplitude);
   }
   return surface;
+}
+
+inline certificate::EdgeSides SidesOf(const Surface& surface)
+{
+  return certificate::FindEdgeSides(surface.Points, surface.Triangles, 1);
 }
 
 struct NamedPair

@@ -217,10 +217,12 @@ TEST(Certificate, HoldsForAnyCandidatesOfTheSearch)
     SCOPED_TRACE(pair.Name);
     using namespace bonedecimate::certificate;
     const Frame frame = FindFrame(pair.Reference, pair.Result);
-    const Simplices source = WholeSurface(pair.Reference, frame);
-    const Simplices other = WholeSurface(pair.Result, frame);
-    const Target target(other, 1, true, [] {});
-    PointValues values = FindPointValues(source, target, false, 1, GoOn);
+    const EdgeSides ofReference = SidesOf(pair.Reference);
+    const EdgeSides ofResult = SidesOf(pair.Result);
+    const Simplices source = WholeSurface(pair.Reference, ofReference, frame);
+    const Simplices other = WholeSurface(pair.Result, ofResult, frame);
+    const Target target(other, 1, [] {});
+    PointValues values = FindPointValues(source, target, false, -1.0, 1, GoOn);
     Random random(17);
     for (std::size_t point = 0; point < source.Points.size(); ++point)
     {

@@ -19,22 +19,23 @@ struct CoveringSurface
 {
   explicit CoveringSurface(const Surface& surface)
     : Whole(surface)
+    , Sides(SidesOf(surface))
   {
     this->Set.Points = surface.Points;
     this->Set.Corners = surface.Triangles;
-    this->Sides = certificate::FindEdgeSides(surface.Points, surface.Triangles);
+    this->Set.Across = &this->Sides;
   }
 
   OverlayCover::Bound Find(const Corners& triangle) const
   {
     const Vector3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-    OverlayCover cover(this->Set, this->Sides);
+    OverlayCover cover(this->Set);
     return cover.Find(triangle, BruteNearest(this->Whole, middle).Triangle);
   }
 
   Surface Whole;
-  Simplices Set;
   EdgeSides Sides;
+  Simplices Set;
 };
 
 bool IsBounded(const OverlayCover::Bound& bound)
@@ -211,7 +212,7 @@ TEST(OverlayCover, HasNoBoundFromATriangleBeside)
 {
   const Surface grid = Grid(10);
   const CoveringSurface covering(grid);
-  OverlayCover cover(covering.Set, covering.Sides);
+  OverlayCover cover(covering.Set);
   EXPECT_FALSE(IsBounded(cover.Find(OverTheGrid, TriangleAt(grid, { 9.5, 9.5, 0.0 }))));
   EXPECT_TRUE(IsBounded(cover.Find(OverTheGrid, TriangleAt(grid, { 4.5, 3.5, 0.0 }))))
     << "the same workspace afterwards";

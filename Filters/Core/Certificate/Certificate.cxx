@@ -94,6 +94,11 @@ public:
     const Frame frame = FindFrame(this->Reference, this->Result);
     this->Found.Slack = Slack(
       std::max({ frame.Extent, this->Options.Tolerance.value_or(0.0), Largest(this->Limit) }));
+    if (!this->Options.OneSided || this->Options.WithBoundaries)
+    {
+      this->ReferenceSides = this->SidesOf(this->Reference);
+    }
+    this->ResultSides = this->SidesOf(this->Result);
     if (this->Options.WithSurfaces)
     {
       this->CertifySurfaces(frame);
@@ -112,13 +117,20 @@ public:
   }
 
 private:
+  EdgeSides SidesOf(const Surface& surface) const
+  {
+    return FindEdgeSides(surface.Points, surface.Triangles, this->Options.NumberOfThreads);
+  }
+
   PairTask Task(bool ofSurfaces) const { return { this->Options, this->Found.Slack, ofSurfaces }; }
 
   void CertifySurfaces(const Frame& frame)
   {
     const double weight = this->Options.WithBoundaries ? 0.9 : 1.0;
-    const PairCertificate pair = CertifyPair(WholeSurface(this->Reference, frame),
-      WholeSurface(this->Result, frame), this->Limit, this->Task(true), this->Progress, weight);
+    const PairCertificate pair =
+      CertifyPair(WholeSurface(this->Reference, this->ReferenceSides, frame),
+        WholeSurface(this->Result, this->ResultSides, frame), this->Limit, this->Task(true),
+        this->Progress, weight);
     this->Found.ReferenceToResult = pair.ReferenceToResult;
     this->Found.ResultToReference = pair.ResultToReference;
     this->Restore(frame, this->Found.ReferenceToResult, this->Found.ResultToReference);
@@ -127,8 +139,9 @@ private:
 
   void CertifyBoundaries(const Frame& frame)
   {
-    const BoundarySet reference = FindBoundarySet(this->Reference, frame, this->Limit);
-    const BoundarySet result = FindBoundarySet(this->Result, frame, {});
+    const BoundarySet reference =
+      FindBoundarySet(this->Reference, this->ReferenceSides, frame, this->Limit);
+    const BoundarySet result = FindBoundarySet(this->Result, this->ResultSides, frame, {});
     const bool ofReference = reference.Segments.Size() > 0;
     const bool ofResult = result.Segments.Size() > 0;
     this->Found.Boundaries = ofReference
@@ -163,6 +176,7 @@ private:
   const CertificateOptions& Options;
   const std::vector<double> Limit; // mm, at each point of the reference; empty without a map
   Stages Progress;
+  EdgeSides ReferenceSides, ResultSides;
   Certificate Found;
 };
 }

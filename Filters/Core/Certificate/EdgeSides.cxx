@@ -2,35 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeSides.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <numeric>
 
 namespace bonedecimate::certificate
 {
 namespace
 {
+/// A number of 64 bits in which every bit depends on all bits of the coordinates. Both zeros have the same number.
+std::uint64_t HashOf(const Vector3& p)
+{
+  std::uint64_t hash = 0;
+  for (const double coordinate : { p.x() + 0.0, p.y() + 0.0, p.z() + 0.0 })
+  {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &coordinate, sizeof(bits));
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15U; // 2^64 / golden ratio
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
 /// For each point the least id of the points with the same coordinates.
 std::vector<Index> FirstPointAtEachPosition(const std::vector<Vector3>& points)
 {
-  std::vector<Index> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto isLess = [&](Index a, Index b)
+  std::size_t size = 1;
+  while (size < 2 * points.size())
   {
-    const Vector3& p = points[a];
-    const Vector3& q = points[b];
-    return p.x() != q.x() ? p.x() < q.x()
-      : p.y() != q.y()    ? p.y() < q.y()
-      : p.z() != q.z()    ? p.z() < q.z()
-                          : a < b;
-  };
-  std::sort(order.begin(), order.end(), isLess);
+    size *= 2;
+  }
+  std::vector<Index> table(size, None);
   std::vector<Index> same(points.size());
-  Index first = None;
-  for (const Index point : order)
+  for (std::size_t point = 0; point < points.size(); ++point)
   {
-    first = first != None && points[first] == points[point] ? first : point;
-    same[point] = first;
+    std::size_t at = HashOf(points[point]) & (size - 1);
+    while (table[at] != None && points[table[at]] != points[point])
+    {
+      at = (at + 1) & (size - 1);
+    }
+    table[at] = table[at] != None ? table[at] : static_cast<Index>(point);
+    same[point] = table[at];
   }
   return same;
 }
@@ -47,18 +62,19 @@ public:
   {
   }
 
-  EdgeSides Run()
+  EdgeSides Run(int threads)
   {
     this->ForEachSide([&](Index low, const Half&) { ++this->Starts[low + 2]; });
     std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
     this->Halves.resize(this->Starts.back());
     this->ForEachSide(
       [&](Index low, const Half& half) { this->Halves[this->Starts[low + 1]++] = half; });
-    for (std::size_t low = 0; low + 2 < this->Starts.size(); ++low)
-    {
-      this->MatchAt(this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low]),
-        this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low + 1]));
-    }
+    ForEachId(this->Starts.size() - 2, threads,
+      [&](std::size_t low)
+      {
+        this->MatchAt(this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low]),
+          this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low + 1]));
+      });
     return std::move(this->Found);
   }
 
@@ -130,22 +146,22 @@ bool HasBoundaries(const EdgeSides& sides)
 }
 }
 
-EdgeSides FindEdgeSides(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
+EdgeSides FindEdgeSides(
+  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles, int threads)
 {
   std::vector<Index> ids(points.size());
   std::iota(ids.begin(), ids.end(), 0);
-  EdgeSides sides = EdgeMatch(triangles, ids).Run();
+  EdgeSides sides = EdgeMatch(triangles, ids).Run(threads);
   if (HasBoundaries(sides)) // merging points can only remove boundaries
   {
     ids = FirstPointAtEachPosition(points);
-    sides = EdgeMatch(triangles, ids).Run();
+    sides = EdgeMatch(triangles, ids).Run(threads);
   }
   return sides;
 }
 
-std::vector<BoundaryEdge> FindBoundaries(const Surface& surface)
+std::vector<BoundaryEdge> FindBoundaries(const Surface& surface, const EdgeSides& sides)
 {
-  const EdgeSides sides = FindEdgeSides(surface.Points, surface.Triangles);
   std::vector<BoundaryEdge> boundaries;
   for (std::size_t t = 0; t < sides.size(); ++t)
   {

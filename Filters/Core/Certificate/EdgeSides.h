@@ -23,7 +23,8 @@ constexpr Index NotRegular = -2; ///< There are several neighbors, or one of opp
 /// For each triangle the neighbors across the sides from each corner to the next one, or one of the values above.
 using EdgeSides = std::vector<std::array<Index, 3>>;
 
-EdgeSides FindEdgeSides(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles);
+EdgeSides FindEdgeSides(
+  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles, int threads);
 
 struct BoundaryEdge
 {
@@ -31,8 +32,8 @@ struct BoundaryEdge
   Index Triangle = None;
 };
 
-/// In the order of the triangles.
-std::vector<BoundaryEdge> FindBoundaries(const Surface& surface);
+/// In the order of the triangles.  @param sides Of the surface.
+std::vector<BoundaryEdge> FindBoundaries(const Surface& surface, const EdgeSides& sides);
 }
 
 #endif

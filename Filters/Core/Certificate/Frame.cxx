@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame.h"
 
-#include "EdgeSides.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -69,9 +67,10 @@ Frame FindFrame(const Surface& reference, const Surface& result)
 }
 
 //------------------------------------------------------------------------------
-Simplices WholeSurface(const Surface& surface, const Frame& frame)
+Simplices WholeSurface(const Surface& surface, const EdgeSides& sides, const Frame& frame)
 {
   Simplices whole;
+  whole.Across = &sides;
   whole.Corners = surface.Triangles;
   whole.Points.reserve(surface.Points.size());
   for (const Vector3& point : surface.Points)
@@ -108,12 +107,12 @@ Simplices LimitedPart(const Simplices& whole, const std::vector<double>& limit)
 }
 
 //------------------------------------------------------------------------------
-BoundarySet FindBoundarySet(
-  const Surface& surface, const Frame& frame, const std::vector<double>& limit)
+BoundarySet FindBoundarySet(const Surface& surface, const EdgeSides& sides, const Frame& frame,
+  const std::vector<double>& limit)
 {
   BoundarySet set;
   std::vector<Index> ids(surface.Points.size(), None);
-  for (const BoundaryEdge& edge : FindBoundaries(surface))
+  for (const BoundaryEdge& edge : FindBoundaries(surface, sides))
   {
     for (const Index point : edge.Points)
     {

@@ -28,7 +28,8 @@ struct Frame
 
 Frame FindFrame(const Surface& reference, const Surface& result);
 
-Simplices WholeSurface(const Surface& surface, const Frame& frame);
+/// @param sides Of the surface; kept.
+Simplices WholeSurface(const Surface& surface, const EdgeSides& sides, const Frame& frame);
 
 /// The part with a limit: of each simplex the corners with a finite limit, as a triangle, segment or point.
 Simplices LimitedPart(const Simplices& whole, const std::vector<double>& limit);
@@ -39,9 +40,9 @@ struct BoundarySet
   std::vector<double> Limit; ///< mm, at each point; empty without a map
 };
 
-/// @param limit mm, at each point of the surface; may be empty.
-BoundarySet FindBoundarySet(
-  const Surface& surface, const Frame& frame, const std::vector<double>& limit);
+/// @param sides Of the surface.  @param limit mm, at each point of the surface; may be empty.
+BoundarySet FindBoundarySet(const Surface& surface, const EdgeSides& sides, const Frame& frame,
+  const std::vector<double>& limit);
 }
 
 #endif

@@ -55,9 +55,9 @@ bool PassesTriangle(const P& p, const P& q)
 }
 
 //------------------------------------------------------------------------------
-OverlayCover::OverlayCover(const Simplices& surface, const EdgeSides& sides)
+OverlayCover::OverlayCover(const Simplices& surface)
   : Surface(surface)
-  , Sides(sides)
+  , Sides(*surface.Across)
   , TriangleStamps(surface.Size(), 0)
   , PointStamps(surface.Points.size(), 0)
   , ImageIndices(surface.Points.size(), 0)

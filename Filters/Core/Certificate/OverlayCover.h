@@ -24,7 +24,6 @@
 #ifndef BoneDecimate_Core_Certificate_OverlayCover_h
 #define BoneDecimate_Core_Certificate_OverlayCover_h
 
-#include "EdgeSides.h"
 #include "Foot.h"
 #include "Simplices.h"
 
@@ -39,8 +38,8 @@ namespace bonedecimate::certificate
 class OverlayCover
 {
 public:
-  /// @param sides Of the surface. Both must outlive this.
-  OverlayCover(const Simplices& surface, const EdgeSides& sides);
+  /// @param surface Must outlive this.
+  explicit OverlayCover(const Simplices& surface);
 
   struct Bound
   {
@@ -51,6 +50,8 @@ public:
 
   /// @param seed A triangle of the surface whose image meets T. With another one there is no bound.
   Bound Find(const Corners& triangle, Index seed);
+  /// The triangles that the last search met, the seed first.
+  const std::vector<Index>& Met() const { return this->Visited; }
 
 private:
   /// A point of the surface and its image. The signed area coordinates of the image in T are 1 - B - C, B and C.

@@ -68,7 +68,7 @@ public:
     const std::optional<double>& tolerance = this->Task.Options.Tolerance;
     const bool stopAtTolerance = tolerance && !this->Task.Options.TightBounds;
     this->Goal.CloseBelow = stopAtTolerance ? *tolerance : -Infinity;
-    const PointValues values = this->Values(progress, 0.4 * weight);
+    const PointValues values = this->Values(progress, 0.4 * weight, this->Enough());
     KnownBounds known;
     if (this->TriangleGap > 0.0 && progress.GoesOn())
     {
@@ -114,11 +114,24 @@ public:
   }
 
 private:
-  PointValues Values(Stages& progress, double weight) const
+  /// @param enough mm; values up to this need not be the least, unless all are.
+  PointValues Values(Stages& progress, double weight, double enough = -1.0) const
   {
-    return FindPointValues(this->Source, this->To,
-      this->Task.OfSurfaces && this->Task.Options.WithPointDistances, this->Goal.NumberOfThreads,
-      progress.Next(weight));
+    const bool ofAll = this->Task.OfSurfaces && this->Task.Options.WithPointDistances;
+    PointValues values = FindPointValues(
+      this->Source, this->To, ofAll, enough, this->Goal.NumberOfThreads, progress.Next(weight));
+    const bool hasMore = std::any_of(
+      values.Value.begin(), values.Value.end(), [enough](double value) { return value > enough; });
+    return enough < 0.0 || hasMore || !progress.GoesOn() ? values : this->Values(progress, 0.0);
+  }
+
+  /// mm, for Values: well below what the largest distance is likely to be. Negative if more than that is needed of the values.
+  double Enough() const
+  {
+    const CertificateOptions& options = this->Task.Options;
+    const bool needsAll = !this->Task.OfSurfaces || this->TriangleGap > 0.0 || options.WithMeans ||
+      options.WithPointDistances;
+    return needsAll ? -1.0 : 0.5 * options.Tolerance.value_or(-1.0);
   }
 
   /// Repeats the search with a smaller gap if the tolerance lies between the bounds.
@@ -229,8 +242,7 @@ struct Comparison
   Target TargetOf(const Simplices& simplices) const
   {
     const Monitor tell = this->Progress.Next(0.0);
-    return Target(
-      simplices, this->Task.Options.NumberOfThreads, this->Task.OfSurfaces, [&] { tell(1.0); });
+    return Target(simplices, this->Task.Options.NumberOfThreads, [&] { tell(1.0); });
   }
 };
 

@@ -12,10 +12,20 @@ namespace
 /// Pieces of every other depth up to the first are bounded by a cover: deeper ones are so small that few triangles are over them.
 constexpr int DeepestCover = 8;
 constexpr int CoverPeriod = 2;
+/// Corners of a joint cover of a piece that is smaller than what is nearest to it.
+constexpr std::size_t FewCorners = 12;
+/// Triangles of an overlay that become candidates of a joint cover; the others are found while it is made.
+constexpr std::size_t MostMet = 32;
 /// Largest distance of a point of a triangle, or of a segment, to its nearest corner, divided by the longest edge.
 double CoveringRatio(int corners)
 {
   return corners == 3 ? 0.57735026918962584 : 0.5; // a little more than 1 / sqrt(3)
+}
+
+/// Of a piece with three corners.
+Corners PositionsOf(const Piece& piece)
+{
+  return { piece.Corners[0].Position, piece.Corners[1].Position, piece.Corners[2].Position };
 }
 }
 
@@ -63,7 +73,7 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
     if (this->Cover != nullptr && piece.Count == 3 && piece.Depth <= DeepestCover &&
       piece.Depth % CoverPeriod == 0 && piece.Upper > this->ClosingBound())
     {
-      this->BoundByCover(piece, simplex);
+      this->BoundByCovers(piece, simplex);
     }
     if (piece.Upper <= this->ClosingBound() || piece.Depth == DeepestCut)
     {
@@ -158,17 +168,18 @@ void PieceSearch::Bound(Piece& piece, double parentUpper) const
     const Index candidate = piece.Corners[i].Nearest;
     const bool isKnown = (i > 0 && candidate == piece.Corners[0].Nearest) ||
       (i > 1 && candidate == piece.Corners[1].Nearest);
-    upper = isKnown ? upper : std::min(upper, this->UpperOver(piece, candidate));
+    upper = isKnown ? upper : std::min(upper, this->UpperOver(piece, candidate, upper));
   }
   piece.Upper = std::min(upper, parentUpper);
 }
 
 //------------------------------------------------------------------------------
-/// The largest excess over one simplex. It is reached at a corner because the distance is convex.
-double PieceSearch::UpperOver(const Piece& piece, Index simplex) const
+/// The largest excess over one simplex, or the first one that is not below the given bound. It is reached at a corner because the
+/// distance is convex.
+double PieceSearch::UpperOver(const Piece& piece, Index simplex, double bound) const
 {
   double upper = -Infinity;
-  for (int i = 0; i < piece.Count; ++i)
+  for (int i = 0; i < piece.Count && upper < bound; ++i)
   {
     upper = std::max(upper, this->UpperAt(piece.Corners[i], simplex));
   }
@@ -210,19 +221,95 @@ PieceCorner PieceSearch::NearestAt(const Vector3& position, Index hint, Index si
 }
 
 //------------------------------------------------------------------------------
-/// Lowers the bound of the piece, and learns the distance where the cover is farthest.
-void PieceSearch::BoundByCover(Piece& piece, Index simplex)
+/// A small piece lies over few triangles, which a joint cover finds soonest.
+void PieceSearch::BoundByCovers(Piece& piece, Index simplex)
 {
-  const Corners corners = { piece.Corners[0].Position, piece.Corners[1].Position,
-    piece.Corners[2].Position };
-  const Vector3 middle = corners[0] + ((corners[1] - corners[0]) + (corners[2] - corners[0])) / 3.0;
-  const PieceCorner seed = this->NearestAt(middle, piece.Corners[0].Nearest, simplex);
-  const OverlayCover::Bound over = this->Cover->Find(corners, seed.Nearest);
+  this->Joint.Begin(PositionsOf(piece));
+  if (this->IsSmall(piece))
+  {
+    this->BoundJointly(piece, simplex, FewCorners);
+  }
+  if (piece.Upper > this->ClosingBound())
+  {
+    this->BoundByOverlay(piece, simplex);
+  }
+  if (piece.Upper > this->ClosingBound())
+  {
+    const std::vector<Index>& met = this->Cover->Met();
+    for (std::size_t i = 0; i < std::min(met.size(), MostMet); ++i)
+    {
+      this->Joint.Add(this->To.CornersOf(met[i]), met[i]);
+    }
+    this->BoundJointly(piece, simplex, JointCover::MostCorners);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Whether the longest edge of the piece is shorter than that of the triangle nearest to a corner.
+bool PieceSearch::IsSmall(const Piece& piece) const
+{
+  const auto longest = [](const Corners& of)
+  {
+    return std::max({ (of[1] - of[0]).squaredNorm(), (of[2] - of[1]).squaredNorm(),
+      (of[0] - of[2]).squaredNorm() });
+  };
+  return longest(PositionsOf(piece)) < longest(this->To.CornersOf(piece.Corners[0].Nearest));
+}
+
+//------------------------------------------------------------------------------
+/// Lowers the bound of the piece, and learns the distance where the overlay is farthest.
+void PieceSearch::BoundByOverlay(Piece& piece, Index simplex)
+{
+  const OverlayCover::Bound over = this->Cover->Find(PositionsOf(piece), piece.Corners[0].Nearest);
   piece.Upper = std::min(piece.Upper, over.Upper + this->Goal.Slack);
   if (over.Nearest != None && piece.Upper > this->ClosingBound())
   {
     this->NearestAt(over.Position, over.Nearest, simplex);
   }
+}
+
+//------------------------------------------------------------------------------
+/// Lowers the bound of the piece if a few triangles cover it. Where they are too far, adds the nearest one or learns the distance.
+void PieceSearch::BoundJointly(Piece& piece, Index simplex, std::size_t mostCorners)
+{
+  for (const PieceCorner& corner : piece.Corners)
+  {
+    this->Joint.Add(this->To.CornersOf(corner.Nearest), corner.Nearest);
+  }
+  for (bool goesOn = true; goesOn;)
+  {
+    const double limit = std::max(0.0, this->ClosingBound() - this->Goal.Slack);
+    const JointCover::Outcome outcome = this->Joint.Run(limit, mostCorners);
+    if (outcome == JointCover::Outcome::Covered)
+    {
+      piece.Upper = std::min(piece.Upper, this->Joint.Upper() + this->Goal.Slack);
+    }
+    goesOn = outcome == JointCover::Outcome::Far &&
+      this->AddNearest(
+        this->NearestAt(this->Joint.FarPosition(), this->Joint.NearestToFar(), simplex), limit);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds to the joint cover what is nearest to a corner, and its neighbors. False if neither the candidates nor the limit changed.
+bool PieceSearch::AddNearest(const PieceCorner& far, double limit)
+{
+  if (this->Joint.Has(far.Nearest))
+  {
+    return this->ClosingBound() - this->Goal.Slack > limit;
+  }
+  if (!this->Joint.Add(this->To.CornersOf(far.Nearest), far.Nearest))
+  {
+    return false;
+  }
+  for (const Index neighbor : this->To.Neighbors(far.Nearest))
+  {
+    if (neighbor >= 0)
+    {
+      this->Joint.Add(this->To.CornersOf(neighbor), neighbor);
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

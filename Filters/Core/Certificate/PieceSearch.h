@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Certificate_PieceSearch_h
 
 #include "CutChoice.h"
+#include "JointCover.h"
 #include "Search.h"
 
 #include <array>
@@ -50,13 +51,17 @@ private:
   Piece Whole(Index simplex) const;
   bool CloseAsSame(const Piece& whole);
   void Bound(Piece& piece, double parentUpper) const;
-  double UpperOver(const Piece& piece, Index simplex) const;
+  double UpperOver(const Piece& piece, Index simplex, double bound) const;
   double UpperAt(const PieceCorner& corner, Index simplex) const;
   void Learn(const PieceCorner& corner, Index simplex);
   PieceCorner NewCorner(const Piece& piece, const CutWeights& weights) const;
   Parts Divide(const Piece& piece, const CutWeights& weights, const PieceCorner& corner) const;
   void Cut(const Piece& piece, Index simplex);
-  void BoundByCover(Piece& piece, Index simplex);
+  void BoundByCovers(Piece& piece, Index simplex);
+  bool IsSmall(const Piece& piece) const;
+  void BoundByOverlay(Piece& piece, Index simplex);
+  void BoundJointly(Piece& piece, Index simplex, std::size_t mostCorners);
+  bool AddNearest(const PieceCorner& far, double limit);
   PieceCorner NearestAt(const Vector3& position, Index hint, Index simplex);
 
   const Simplices& Source;
@@ -67,6 +72,7 @@ private:
   double MostClosed = -std::numeric_limits<double>::infinity(); // mm
   std::int64_t CutsMade = 0;
   std::vector<Piece> Stack;
+  JointCover Joint;
   std::shared_ptr<OverlayCover> Cover; // null: pieces are not bounded by covers
 };
 }

@@ -19,25 +19,21 @@ constexpr std::int64_t MoreCuts = 16;
 /// Part of the progress of one search.
 constexpr double ProgressOfFirstRound = 0.8;
 
-/// For each point whether its value is needed.
-std::vector<char> RequestedPoints(const Simplices& source, bool ofAll)
+/// For each point the first simplex with this corner; None if there is none.
+std::vector<Index> FirstSimplices(const Simplices& source)
 {
-  std::vector<char> isRequested(source.Points.size(), 0);
-  for (const Triangle& corners : source.Corners)
+  std::vector<Index> first(source.Points.size(), None);
+  for (std::size_t simplex = 0; simplex < source.Size(); ++simplex)
   {
-    for (const Index corner : corners)
+    for (const Index corner : source.Corners[simplex])
     {
-      if (corner != None)
+      if (corner != None && first[corner] == None)
       {
-        isRequested[corner] = 1;
+        first[corner] = static_cast<Index>(simplex);
       }
     }
   }
-  for (std::size_t point = 0; point < isRequested.size() && ofAll; ++point)
-  {
-    isRequested[point] = IsUsable(source.Points[point]) ? 1 : 0;
-  }
-  return isRequested;
+  return first;
 }
 
 /// The rounds; see Search.h.
@@ -191,25 +187,48 @@ private:
 }
 
 //------------------------------------------------------------------------------
-PointValues FindPointValues(
-  const Simplices& source, const Target& target, bool ofAll, int threads, const Monitor& monitor)
+PointValues FindPointValues(const Simplices& source, const Target& target, bool ofAll,
+  double enough, int threads, const Monitor& monitor)
 {
   PointValues values;
   values.Value.assign(source.Points.size(), std::numeric_limits<double>::quiet_NaN());
   values.Simplex.assign(source.Points.size(), None);
-  const std::vector<char> isRequested = RequestedPoints(source, ofAll);
-  ForEachChunk(source.Points.size(), threads, monitor,
+  const auto evaluate = [&](std::size_t point, Index hint)
+  {
+    const Target::Candidate found = target.FindNear(source.Points[point], hint, enough);
+    values.Value[point] = found.Value;
+    values.Simplex[point] = found.Simplex;
+  };
+  const std::vector<Index> firstOf = FirstSimplices(source);
+  ForEachChunk(source.Size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      Index hint = None;
-      for (std::size_t point = first; point < last; ++point)
+      Index hint =
+        None; // what is near to a corner of the simplex, if that is known from this chunk
+      for (std::size_t simplex = first; simplex < last; ++simplex)
       {
-        if (isRequested[point])
+        for (const bool isKnown : { true, false })
         {
-          const Target::Candidate found = target.FindLeast(source.Points[point], hint);
-          values.Value[point] = found.Value;
-          values.Simplex[point] = hint = found.Simplex;
+          for (const Index corner : source.Corners[simplex])
+          {
+            const Index owner = corner != None ? firstOf[corner] : None;
+            const bool isOwn = owner == static_cast<Index>(simplex);
+            if (!isKnown && isOwn)
+            {
+              evaluate(corner, hint);
+            }
+            const bool isDone = owner >= static_cast<Index>(first) && (!isOwn || !isKnown);
+            hint = isDone ? values.Simplex[corner] : hint;
+          }
         }
+      }
+    });
+  ForEachId(ofAll ? source.Points.size() : 0, threads,
+    [&](std::size_t point)
+    {
+      if (firstOf[point] == None && IsUsable(source.Points[point]))
+      {
+        evaluate(point, None);
       }
     });
   return values;

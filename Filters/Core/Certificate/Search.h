@@ -9,6 +9,7 @@
  *       for each simplex that is not closed yet, depth first:
  *         upper = least of  a. for a simplex F found nearest to one of the corners: largest excess over F of a corner
  *                           b. largest excess of a corner + how far a point of the piece can be from the corners
+ *                           c, d. what covers by several simplices prove: OverlayCover.h, JointCover.h
  *         upper <= goal: closed;   else cut an edge, find what is nearest to the new corner
  *     lower bound, again, by the distance to every simplex of the other set
  *
@@ -82,8 +83,9 @@ struct KnownBounds
 };
 
 /// @param ofAll Evaluate all usable points, not only corners.
-PointValues FindPointValues(
-  const Simplices& source, const Target& target, bool ofAll, int threads, const Monitor& monitor);
+/// @param enough mm; values up to this need not be the least. Negative: all are.
+PointValues FindPointValues(const Simplices& source, const Target& target, bool ofAll,
+  double enough, int threads, const Monitor& monitor);
 
 /// Bounds of the largest excess of the source over the target.
 /// @param known Simplices whose upper bound is small enough are not searched.

@@ -37,7 +37,7 @@ double AngleBetween(const Vector3& a, const Vector3& b)
 //------------------------------------------------------------------------------
 SideFinder::SideFinder(const Simplices& surface)
   : Surface(surface)
-  , Across(FindEdgeSides(surface.Points, surface.Corners))
+  , Across(*surface.Across)
 {
 }
 

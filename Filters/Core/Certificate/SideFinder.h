@@ -11,7 +11,6 @@
 #ifndef BoneDecimate_Core_Certificate_SideFinder_h
 #define BoneDecimate_Core_Certificate_SideFinder_h
 
-#include "EdgeSides.h"
 #include "Simplices.h"
 
 #include <array>
@@ -21,7 +20,7 @@ namespace bonedecimate::certificate
 class SideFinder
 {
 public:
-  /// Keeps a reference. All simplices must be triangles.
+  /// Keeps a reference to a surface.
   explicit SideFinder(const Simplices& surface);
 
   /**
@@ -39,7 +38,7 @@ private:
   int CornerAt(Index triangle, const Vector3& position) const;
 
   const Simplices& Surface;
-  EdgeSides Across;
+  const EdgeSides& Across;
 };
 
 /// The side of each point.

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Core_Certificate_Simplices_h
 #define BoneDecimate_Core_Certificate_Simplices_h
 
+#include "EdgeSides.h"
 #include "Surface.h"
 
 #include <cstddef>
@@ -21,6 +22,7 @@ struct Simplices
   std::vector<Triangle> Corners; ///< indices into Points
   std::vector<Index>
     TriangleIds; ///< of the surface from which they come; empty: the index of the simplex
+  const EdgeSides* Across = nullptr;  ///< of a surface; null: the simplices are not joined
   std::vector<double> PointTolerance; ///< mm, at each point, linear in between; empty: 0
 
   std::size_t Size() const { return this->Corners.size(); }

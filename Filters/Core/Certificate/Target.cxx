@@ -36,11 +36,9 @@ double Squared(double length)
 }
 
 //------------------------------------------------------------------------------
-Target::Target(
-  const Simplices& simplices, int threads, bool lendsCovers, const std::function<void()>& afterStep)
+Target::Target(const Simplices& simplices, int threads, const std::function<void()>& afterStep)
   : Set(simplices)
   , Tree(AsTriangles(simplices), threads, afterStep)
-  , Sides(lendsCovers ? FindEdgeSides(simplices.Points, simplices.Corners) : EdgeSides())
 {
 }
 
@@ -54,12 +52,11 @@ void Target::SetTolerances(std::vector<double> tolerances)
 //------------------------------------------------------------------------------
 std::shared_ptr<OverlayCover> Target::BorrowCover() const
 {
-  if (this->Sides.empty() || this->HasTolerances())
+  if (this->Set.Across == nullptr || this->HasTolerances())
   {
     return nullptr;
   }
-  return this->Covers.Borrow(
-    [this] { return std::make_unique<OverlayCover>(this->Set, this->Sides); });
+  return this->Covers.Borrow([this] { return std::make_unique<OverlayCover>(this->Set); });
 }
 
 //------------------------------------------------------------------------------
@@ -93,6 +90,30 @@ Target::Candidate Target::FindLeast(const Vector3& p, Index hint) const
       }
     });
   return best;
+}
+
+//------------------------------------------------------------------------------
+/// Walks from the hint to neighbors that are nearer.
+Target::Candidate Target::FindNear(const Vector3& p, Index hint, double enough) const
+{
+  const auto squaredTo = [&](Index simplex)
+  {
+    const Corners corners = this->CornersOf(simplex);
+    return NearestOnTriangle(p, corners[0], corners[1], corners[2]).SquaredDistance;
+  };
+  double least = hint != None && enough >= 0.0 ? squaredTo(hint) : -1.0;
+  for (Index from = None; least >= 0.0 && from != hint;)
+  {
+    from = hint;
+    for (const Index neighbor : this->Neighbors(from))
+    {
+      const double squared = neighbor >= 0 ? squaredTo(neighbor) : Infinity;
+      hint = squared < least ? neighbor : hint;
+      least = std::min(least, squared);
+    }
+  }
+  const Candidate near = { hint, least >= 0.0 ? this->ValueTo(p, hint) : Infinity };
+  return near.Value <= enough ? near : this->FindLeast(p, hint);
 }
 
 //------------------------------------------------------------------------------

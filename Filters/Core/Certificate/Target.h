@@ -26,14 +26,13 @@ namespace bonedecimate::certificate
 class Target
 {
 public:
-  /// Keeps a reference to the simplices, which must not be empty.  @param lendsCovers Whether they are triangles to be covered.
-  Target(const Simplices& simplices, int threads, bool lendsCovers,
-    const std::function<void()>& afterStep);
+  /// Keeps a reference to the simplices, which must not be empty.
+  Target(const Simplices& simplices, int threads, const std::function<void()>& afterStep);
 
   /// Sets the tolerance of each simplex, mm.
   void SetTolerances(std::vector<double> tolerances);
 
-  /// For one worker; null if none are lent, and with tolerances, because the cover knows distances alone.
+  /// For one worker; null if the simplices are no surface, and with tolerances, because the cover knows distances alone.
   std::shared_ptr<OverlayCover> BorrowCover() const;
 
   struct Candidate
@@ -43,6 +42,8 @@ public:
   };
   /// The simplex of least value among the candidates of the tree.
   Candidate FindLeast(const Vector3& p, Index hint) const;
+  /// The same if the least value is larger than enough, mm; otherwise any simplex of a value up to that.
+  Candidate FindNear(const Vector3& p, Index hint, double enough) const;
 
   /// Value to this simplex, mm; an upper bound but for rounding.
   double ValueTo(const Vector3& p, Index simplex) const
@@ -62,6 +63,12 @@ public:
     return this->Tolerances.empty() ? 0.0 : this->Tolerances[simplex];
   }
 
+  /// Across each side of a triangle of a surface.
+  const std::array<Index, 3>& Neighbors(Index triangle) const
+  {
+    return (*this->Set.Across)[triangle];
+  }
+
   const certificate::Simplices& All() const { return this->Set; }
   Corners CornersOf(Index simplex) const;
   bool HasCorner(Index simplex, const Vector3& position) const
@@ -75,7 +82,6 @@ private:
   BoundingTree Tree;
   std::vector<double> Tolerances; // mm; empty: 0
   double LargestTolerance = 0.0;  // mm
-  EdgeSides Sides;                // empty if no covers are lent
   mutable WorkspacePool<OverlayCover> Covers;
 };
 }
