@@ -191,6 +191,14 @@ private:
         this->Tree.Boxes.push_back(*this->Bundles[i].Box);
       }
     }
+    for (Node& node : this->Tree.Nodes)
+    {
+      for (std::size_t child = 0; child < 4; ++child)
+      {
+        const Index at = node.Children[child];
+        node.HasBox |= at > 0 && this->Tree.Nodes[at].Box != None ? 1U << child : 0U;
+      }
+    }
   }
 
   void FindMiddles()

@@ -67,7 +67,8 @@ private:
   {
     std::array<std::array<float, 4>, 3> Low, High; // by axis and child; Low > High: no child
     std::array<Index, 4> Children;                 // a node, or ~slot of a triangle
-    Index Box = None;                              // among Boxes
+    Index Box = None;                              // the node's own, among Boxes
+    unsigned HasBox = 0;                           // bit i: child i is a node with a box
   };
   struct Slot
   {
@@ -82,9 +83,9 @@ private:
 
   /// Visits the slots whose boxes are not farther than `farthest()`, nearer boxes first.
   /// @param distancesTo Four distances to the children of a node, each at most too large by Slack.
-  /// @param misses Whether nothing in an oriented box has to be visited.
-  template <typename Distances, typename Farthest, typename Misses, typename Visit>
-  void Descend(Distances distancesTo, Farthest farthest, Misses misses, Visit visit) const;
+  /// @param distanceTo That to an oriented box, likewise.
+  template <typename Distances, typename Farthest, typename ToBox, typename Visit>
+  void Descend(Distances distancesTo, Farthest farthest, ToBox distanceTo, Visit visit) const;
 
   void Improve(const Vector3& p, Nearest& best) const;
   void Improve(const Vector3& p, const Slot& slot, Nearest& best) const;

@@ -85,9 +85,9 @@ std::array<float, 4> EntriesOf(const Ray& ray, const Boxes& boxes)
 }
 
 //------------------------------------------------------------------------------
-template <typename Distances, typename Farthest, typename Misses, typename Visit>
+template <typename Distances, typename Farthest, typename ToBox, typename Visit>
 void BoundingTree::Descend(
-  Distances distancesTo, Farthest farthest, Misses misses, Visit visit) const
+  Distances distancesTo, Farthest farthest, ToBox distanceTo, Visit visit) const
 {
   struct Waiting
   {
@@ -115,11 +115,15 @@ void BoundingTree::Descend(
       continue;
     }
     const Node& node = this->Nodes[waiting.Child];
-    if (node.Box != None && misses(this->Boxes[node.Box]))
+    std::array<float, 4> distances = distancesTo(node);
+    for (std::size_t child = 0; child < 4 && node.HasBox != 0; ++child)
     {
-      continue;
+      if ((node.HasBox >> child & 1U) != 0)
+      {
+        const OrientedBox& box = this->Boxes[this->Nodes[node.Children[child]].Box];
+        distances[child] = std::max(distances[child], static_cast<float>(distanceTo(box)));
+      }
     }
-    const std::array<float, 4> distances = distancesTo(node);
     const std::size_t base = size; // children are inserted above it, the nearest last
     for (std::size_t child = 0; child < 4; ++child)
     {
@@ -152,7 +156,8 @@ void BoundingTree::Walk(const Vector3& p, Limit limit, Visit visit) const
     return static_cast<float>(std::min(square, LargestSquare));
   };
   this->Descend([&](const Node& node) { return SquaredDistances(query, node); }, farthest,
-    [&](const OrientedBox& box) { return box.SquaredDistance(p) > limit() * Slack; }, visit);
+    [&](const OrientedBox& box) { return box.SquaredDistance(p) * this->Scale * this->Scale; },
+    visit);
 }
 
 //------------------------------------------------------------------------------
@@ -241,7 +246,7 @@ void BoundingTree::VisitAlong(const Vector3& from, const Vector3& direction, con
   const auto farthest = [&]
   { return static_cast<float>(std::min(length * this->Scale * Slack, LargestSquare)); };
   this->Descend([&](const Node& node) { return EntriesOf(ray, node); }, farthest,
-    [&](const OrientedBox& box) { return box.EntryOf(from, direction) > length * Slack; },
+    [&](const OrientedBox& box) { return box.EntryOf(from, direction) * this->Scale; },
     [&](const Slot& slot) { visit(slot.Id); });
 }
 }

@@ -89,6 +89,14 @@ bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex)
 //------------------------------------------------------------------------------
 bool EdgeNeighborhood::RingIsSimple() const
 {
+  constexpr std::size_t fewVertices = 32;
+  if (this->Ring.size() > fewVertices)
+  {
+    std::vector<Index> sorted = this->Ring;
+    sorted.insert(sorted.end(), { this->Start, this->End });
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  }
   // Nearly every ring is simple: comparing all pairs is faster than an early exit.
   const Index* ring = this->Ring.data();
   bool isMet = false;
