@@ -29,8 +29,8 @@ Decision Editor::CheckEdge(HalfEdgeId edge, Workspace& work) const
   {
     return ends;
   }
-  work.Around.Gather(this->Half, edge);
-  Decision topology = CheckTopology(this->Half, work.Around);
+  Decision topology = work.Around.Gather(this->Half, edge) ? CheckTopology(this->Half, work.Around)
+                                                           : Rejection::Valence;
   if (topology.IsAccepted() && this->Half.HasPatches())
   {
     topology = CheckPatches(this->Half, work.Around, work.Range);

@@ -24,8 +24,9 @@ Rejection Editor::CheckTogether(const std::vector<Edit>& edits)
   for (std::size_t i = 0; i < edits.size(); ++i)
   {
     Workspace& work = this->ManifoldPatches[i].Space;
-    work.Around.Gather(this->Half, edits[i].Edge);
-    const Rejection topology = CheckTopology(this->Half, work.Around);
+    const Rejection topology = work.Around.Gather(this->Half, edits[i].Edge)
+      ? CheckTopology(this->Half, work.Around)
+      : Rejection::Valence;
     if (topology != Rejection::NotRejected)
     {
       return topology;

@@ -57,9 +57,15 @@ Rejection CheckFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>
   {
     return Rejection::Boundary;
   }
-  bool joined = corners[2] == corners[3];
-  mesh.VisitEdges(
-    corners[2], [&](HalfEdgeId h) { joined = joined || mesh.Across(h, corners[2]) == corners[3]; });
+  const bool swaps = IsHub(mesh, corners[2]);
+  if (swaps && IsHub(mesh, corners[3]))
+  {
+    return Rejection::Valence;
+  }
+  const VertexId from = corners[swaps ? 3 : 2];
+  const VertexId to = corners[swaps ? 2 : 3];
+  bool joined = from == to;
+  mesh.VisitEdges(from, [&](HalfEdgeId h) { joined = joined || mesh.Across(h, from) == to; });
   return joined ? Rejection::LinkCondition : Rejection::NotRejected;
 }
 }
@@ -122,6 +128,10 @@ Rejection CheckMove(
   {
     return mesh.IsConstrained(vertex) ? RejectionOfConstrained(mesh.Constraint(vertex))
                                       : Rejection::Boundary;
+  }
+  if (IsHub(mesh, vertex))
+  {
+    return Rejection::Valence;
   }
   Vector3 ring = Vector3::Zero(); // mm^2
   for (const HalfEdgeId h : mesh.OutgoingOf(vertex))

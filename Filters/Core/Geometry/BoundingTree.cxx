@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace bonedecimate
 {
@@ -89,15 +90,117 @@ public:
     this->Tree.Nodes.shrink_to_fit();
     this->FillSlots();
     afterStep();
+    this->Middles = {};
+    this->Bundles.resize(this->Tree.Nodes.size());
     for (std::size_t level = levels.size() - 1; level-- > 0;)
     {
       const std::size_t first = levels[level];
       ForEachId(levels[level + 1] - first, this->Threads,
-        [&](std::size_t i) { this->Tree.Bound(this->Tree.Nodes[first + i]); });
+        [&](std::size_t i)
+        {
+          this->Tree.Bound(this->Tree.Nodes[first + i]);
+          this->FillBundle(first + i);
+        });
     }
+    this->TakeBoxes();
   }
 
 private:
+  /// The triangles below a node.
+  struct Bundle
+  {
+    Range Slots = { std::numeric_limits<Index>::max(), 0 };
+    Vector3 LongestEdge = Vector3::Zero(); // mm
+    Vector3 Area = Vector3::Zero();        // mm^2
+    std::unique_ptr<OrientedBox> Box;      // if it is thin
+
+    void Add(const Bundle& other)
+    {
+      this->Slots = { std::min(this->Slots.First, other.Slots.First),
+        std::max(this->Slots.Last, other.Slots.Last) };
+      this->Area += other.Area;
+      this->AddEdge(other.LongestEdge);
+    }
+    void AddEdge(const Vector3& edge)
+    {
+      this->LongestEdge =
+        edge.squaredNorm() > this->LongestEdge.squaredNorm() ? edge : this->LongestEdge;
+    }
+  };
+
+  Bundle BundleOf(Index slot) const
+  {
+    const Triangle& corners = this->Tree.Slots[slot].Corners;
+    const Vector3& a = this->Tree.Points[corners[0]];
+    const Vector3& b = this->Tree.Points[corners[1]];
+    const Vector3& c = this->Tree.Points[corners[2]];
+    Bundle bundle = { { slot, slot + 1 }, b - a, AreaVector(a, b, c), {} };
+    bundle.AddEdge(c - b);
+    bundle.AddEdge(a - c);
+    return bundle;
+  }
+
+  /// Needles as long as half of the box along the axes may have a better one.
+  void FillBundle(std::size_t at)
+  {
+    const Node& node = this->Tree.Nodes[at];
+    Bundle& bundle = this->Bundles[at];
+    for (const Index child : node.Children)
+    {
+      if (child < 0)
+      {
+        bundle.Add(this->BundleOf(~child));
+      }
+      else if (child > 0)
+      {
+        bundle.Add(this->Bundles[child]);
+      }
+    }
+    double squared = 0.0; // of the diagonal of the box, in the unit of the tree
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double length = *std::max_element(node.High[axis].begin(), node.High[axis].end()) -
+        *std::min_element(node.Low[axis].begin(), node.Low[axis].end());
+      squared += length * length;
+    }
+    const double scale = this->Tree.Scale;
+    if (4.0 * bundle.LongestEdge.squaredNorm() * scale * scale > squared)
+    {
+      OrientedBox box(bundle.LongestEdge, bundle.Area,
+        [&](const auto& add)
+        {
+          for (Index slot = bundle.Slots.First; slot < bundle.Slots.Last; ++slot)
+          {
+            for (const Index corner : this->Tree.Slots[slot].Corners)
+            {
+              add(this->Tree.Points[corner]);
+            }
+          }
+        });
+      bundle.Box = box.IsThin() ? std::make_unique<OrientedBox>(box) : nullptr;
+    }
+  }
+
+  void TakeBoxes()
+  {
+    for (std::size_t i = 0; i < this->Bundles.size(); ++i)
+    {
+      if (this->Bundles[i].Box)
+      {
+        this->Tree.Nodes[i].Box = static_cast<Index>(this->Tree.Boxes.size());
+        this->Tree.Boxes.push_back(*this->Bundles[i].Box);
+      }
+    }
+    for (Node& node : this->Tree.Nodes)
+    {
+      for (std::size_t child = 0; child < 4; ++child)
+      {
+        const Index at = node.Children[child];
+        node.HasBox |= at > 0 && this->Tree.Nodes[at].Box != None ? 1U << child : 0U;
+      }
+    }
+  }
+
   void FindMiddles()
   {
     ForEachId(this->Middles.size(), this->Threads,
@@ -192,6 +295,7 @@ private:
   int Threads;
   BoundingTree& Tree;
   std::vector<Middle> Middles; // by slot
+  std::vector<Bundle> Bundles; // by node
 };
 
 //------------------------------------------------------------------------------

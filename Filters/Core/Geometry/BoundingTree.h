@@ -8,6 +8,7 @@
  *
  *     build:  level by level, each range of triangles is halved twice at the median of the centroids, along the longer
  *             side; halves are multiples of four, so that nearly every leaf holds four triangles
+ *             nodes of needles side by side get a box along them, too, because boxes of needles that meet in one point overlap
  *     query:  nearest box first; boxes are stored in single precision, slightly enlarged, four to a node;
  *             distances to triangles are computed in double precision
  *
@@ -17,6 +18,7 @@
 #ifndef BoneDecimate_Core_Geometry_BoundingTree_h
 #define BoneDecimate_Core_Geometry_BoundingTree_h
 
+#include "OrientedBox.h"
 #include "Surface.h"
 #include "TriangleGeometry.h"
 
@@ -65,6 +67,8 @@ private:
   {
     std::array<std::array<float, 4>, 3> Low, High; // by axis and child; Low > High: no child
     std::array<Index, 4> Children;                 // a node, or ~slot of a triangle
+    Index Box = None;                              // the node's own, among Boxes
+    unsigned HasBox = 0;                           // bit i: child i is a node with a box
   };
   struct Slot
   {
@@ -79,8 +83,9 @@ private:
 
   /// Visits the slots whose boxes are not farther than `farthest()`, nearer boxes first.
   /// @param distancesTo Four distances to the children of a node, each at most too large by Slack.
-  template <typename Distances, typename Farthest, typename Visit>
-  void Descend(Distances distancesTo, Farthest farthest, Visit visit) const;
+  /// @param distanceTo That to an oriented box, likewise.
+  template <typename Distances, typename Farthest, typename ToBox, typename Visit>
+  void Descend(Distances distancesTo, Farthest farthest, ToBox distanceTo, Visit visit) const;
 
   void Improve(const Vector3& p, Nearest& best) const;
   void Improve(const Vector3& p, const Slot& slot, Nearest& best) const;
@@ -93,8 +98,9 @@ private:
   std::vector<Node> Nodes;     // level after level, the root first
   std::vector<Slot> Slots;
   std::vector<Index> SlotOfTriangle;
-  Vector3 Low = Vector3::Zero(); // mm
-  double Scale = 1.0;            // 1/mm; scales the longest side of the whole to 1
+  std::vector<OrientedBox> Boxes; // of nodes of needles
+  Vector3 Low = Vector3::Zero();  // mm
+  double Scale = 1.0;             // 1/mm; scales the longest side of the whole to 1
 };
 }
 

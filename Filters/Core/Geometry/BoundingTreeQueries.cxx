@@ -85,8 +85,9 @@ std::array<float, 4> EntriesOf(const Ray& ray, const Boxes& boxes)
 }
 
 //------------------------------------------------------------------------------
-template <typename Distances, typename Farthest, typename Visit>
-void BoundingTree::Descend(Distances distancesTo, Farthest farthest, Visit visit) const
+template <typename Distances, typename Farthest, typename ToBox, typename Visit>
+void BoundingTree::Descend(
+  Distances distancesTo, Farthest farthest, ToBox distanceTo, Visit visit) const
 {
   struct Waiting
   {
@@ -114,7 +115,15 @@ void BoundingTree::Descend(Distances distancesTo, Farthest farthest, Visit visit
       continue;
     }
     const Node& node = this->Nodes[waiting.Child];
-    const std::array<float, 4> distances = distancesTo(node);
+    std::array<float, 4> distances = distancesTo(node);
+    for (std::size_t child = 0; child < 4 && node.HasBox != 0; ++child)
+    {
+      if ((node.HasBox >> child & 1U) != 0)
+      {
+        const OrientedBox& box = this->Boxes[this->Nodes[node.Children[child]].Box];
+        distances[child] = std::max(distances[child], static_cast<float>(distanceTo(box)));
+      }
+    }
     const std::size_t base = size; // children are inserted above it, the nearest last
     for (std::size_t child = 0; child < 4; ++child)
     {
@@ -146,7 +155,9 @@ void BoundingTree::Walk(const Vector3& p, Limit limit, Visit visit) const
     const double square = limit() * this->Scale * this->Scale * Slack;
     return static_cast<float>(std::min(square, LargestSquare));
   };
-  this->Descend([&](const Node& node) { return SquaredDistances(query, node); }, farthest, visit);
+  this->Descend([&](const Node& node) { return SquaredDistances(query, node); }, farthest,
+    [&](const OrientedBox& box) { return box.SquaredDistance(p) * this->Scale * this->Scale; },
+    visit);
 }
 
 //------------------------------------------------------------------------------
@@ -235,6 +246,7 @@ void BoundingTree::VisitAlong(const Vector3& from, const Vector3& direction, con
   const auto farthest = [&]
   { return static_cast<float>(std::min(length * this->Scale * Slack, LargestSquare)); };
   this->Descend([&](const Node& node) { return EntriesOf(ray, node); }, farthest,
+    [&](const OrientedBox& box) { return box.EntryOf(from, direction) * this->Scale; },
     [&](const Slot& slot) { visit(slot.Id); });
 }
 }

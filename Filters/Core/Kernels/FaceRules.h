@@ -19,6 +19,9 @@ constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
 /// accuracy where few triangles remain. Flips and moves, which are many and come last, lose nothing by a higher limit.
 constexpr double LeastQualityOfCollapse = 0.005;
 constexpr double LeastQualityOfSmallEdit = 0.02;
+/// What a collapse leaves of the quality of a face that has not become worse. Parallel needles, as on the wall of a fine cylinder, lose
+/// the square of a small angle when one of their ends moves across.
+constexpr double LeastRatioOfQuality = 0.99999;
 }
 
 #endif

@@ -198,7 +198,9 @@ void CheckFan(Fan& fan, FanValidity& validity)
       Select(squaresBefore > 0.0, QualityOf(areaBefore, squaresBefore), zero);
     const DoubleMask hasArea = areaAfter > 0.0; // false for NaN, too
     degenerate |= isFace &
-      (~hasArea | ((qualityAfter < LeastQualityOfCollapse) & (qualityAfter < qualityBefore)));
+      (~hasArea |
+        ((qualityAfter < LeastQualityOfCollapse) &
+          (qualityAfter < LeastRatioOfQuality * qualityBefore)));
     flip |=
       isFace & (areaBefore > 0.0) & (before.Dot(after) < LeastCosine * (areaBefore * areaAfter));
     const Doubles change = (after - before).Dot(second);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeNeighborhood.h"
 
+#include "Edit.h"
 #include "Memory/Prefetch.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ void FetchFacesOfEnd(const HalfEdgeMesh& mesh, HalfEdgeId edge, HalfEdgeId twin)
 }
 }
 
-void EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
+bool EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 {
   const HalfEdgeId twin = mesh.Twin(edge);
   this->Edge = edge;
@@ -55,6 +56,10 @@ void EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
     {
       last = HalfEdgeMesh::Next(out); // continue at the other end of the edge
     }
+    else if (this->Corners.size() == MostFacesOfEdit)
+    {
+      return false;
+    }
     else
     {
       this->Corners.push_back(out);
@@ -69,11 +74,29 @@ void EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
     this->Ring.push_back(mesh.Origin(last));
     this->BoundaryEnds = { mesh.Origin(first), mesh.Target(last) };
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Of its faces at most two are removed, and one is added at least if it has a closed ring.
+bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex)
+{
+  Index faces = 0;
+  mesh.VisitNeighbors(vertex, [&](HalfEdgeId, Index) { return ++faces <= MostFacesOfEdit + 2; });
+  return faces > MostFacesOfEdit + 2;
 }
 
 //------------------------------------------------------------------------------
 bool EdgeNeighborhood::RingIsSimple() const
 {
+  constexpr std::size_t fewVertices = 32;
+  if (this->Ring.size() > fewVertices)
+  {
+    std::vector<Index> sorted = this->Ring;
+    sorted.insert(sorted.end(), { this->Start, this->End });
+    std::sort(sorted.begin(), sorted.end());
+    return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  }
   // Nearly every ring is simple: comparing all pairs is faster than an early exit.
   const Index* ring = this->Ring.data();
   bool isMet = false;

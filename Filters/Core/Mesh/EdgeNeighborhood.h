@@ -38,11 +38,19 @@ struct EdgeNeighborhood
   bool IsBoundaryEdge() const { return this->NumberOfGoneFaces == 1; }
 
   /// Replaces the content without allocating. No end may be NonManifold, and both may be on a boundary only if the edge is.
-  void Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge);
+  /// False, and the content is of no use, if there are more than MostFacesOfEdit corners.
+  bool Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 
   /// The link condition: no vertex occurs twice on the ring, and no end lies on it.
   bool RingIsSimple() const;
 };
+
+/// Whether the vertex has so many faces that none of its edges can be collapsed: more than MostFacesOfEdit would remain.
+bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex);
+inline bool MayMove(const HalfEdgeMesh& mesh, VertexId vertex)
+{
+  return mesh.MovesFreely(vertex) && !IsHub(mesh, vertex);
+}
 }
 
 #endif

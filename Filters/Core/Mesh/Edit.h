@@ -13,6 +13,10 @@
 
 namespace bonedecimate
 {
+/// Faces at the vertex that a collapse merges or a move moves, at most. Vertices with more wait until collapses around them have
+/// removed some, so that no edit costs more the more faces a vertex has.
+constexpr Index MostFacesOfEdit = 128;
+
 enum class EditKind : std::uint8_t
 {
   Collapse, ///< The ends of an edge become one vertex.

@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace bonedecimate
 {
@@ -161,7 +162,7 @@ public:
   {
     this->VisitNeighbors(v, [&](HalfEdgeId h, Index) { visit(h); });
   }
-  /// The same with visit(h, other end).
+  /// The same with visit(h, other end), which may return whether to go on.
   template <typename Visit>
   void VisitNeighbors(VertexId v, Visit visit) const;
 
@@ -314,7 +315,17 @@ void HalfEdgeMesh::VisitNeighbors(VertexId v, Visit visit) const
   HalfEdgeId last;
   for (const HalfEdgeId h : this->OutgoingOf(v))
   {
-    visit(h, this->Target(h));
+    if constexpr (std::is_same_v<decltype(visit(h, this->Target(h))), bool>)
+    {
+      if (!visit(h, this->Target(h)))
+      {
+        return;
+      }
+    }
+    else
+    {
+      visit(h, this->Target(h));
+    }
     last = Previous(h);
   }
   if (last != None && this->Twin(last) == None)

@@ -29,6 +29,7 @@ enum class Rejection : int
   Intersection,
   VoxelLabel,
   Shape,
+  Valence,
   Count ///< The number of those above.
 };
 
@@ -61,6 +62,7 @@ constexpr RejectionInfo RejectionTable[] = {
     "triangles would intersect, or a gap become narrower than half its width" },
   { Rejection::VoxelLabel, "voxel_label", "a voxel of the label map would get another label" },
   { Rejection::Shape, "shape", "a triangle would have an angle below the least one" },
+  { Rejection::Valence, "valence", "too many triangles at a vertex would change" },
 };
 
 constexpr bool HasARowForEveryRejection()

@@ -3,6 +3,7 @@
 #include "VertexEdges.h"
 
 #include "Memory/Prefetch.h"
+#include "Mesh/Edit.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,6 +13,8 @@ namespace bonedecimate
 namespace
 {
 constexpr float Never = std::numeric_limits<float>::infinity();
+/// An edge of a vertex with more has more than MostFacesOfEdit: such a vertex has no edge to collapse.
+constexpr std::size_t MostBatches = MostFacesOfEdit / EdgeBatch::Size + 1;
 }
 
 //------------------------------------------------------------------------------
@@ -30,9 +33,9 @@ void VertexEdges::Gather(
     [&](HalfEdgeId h, Index other)
     {
       inside = inside && block.Contains(other);
-      if (!inside)
+      if (!inside || this->Used > MostBatches)
       {
-        return; // It may be changing just now.
+        return false; // The vertices that follow may be changing just now.
       }
       if (at == EdgeBatch::Size)
       {
@@ -49,7 +52,9 @@ void VertexEdges::Gather(
       requested.AccumulatedErrors[at] = std::max(error, errors[other]);
       batch->Edges[at] = h;
       requested.Count = ++at;
+      return true;
     });
+  this->Used = this->Used > MostBatches ? 0 : this->Used;
   this->Inside = inside;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeOrder.h"
 
+#include "Mesh/EdgeNeighborhood.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -74,7 +75,7 @@ bool FindCheapest(const HalfEdgeMesh& mesh, std::size_t count, int threads, cons
     {
       for (VertexId v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
       {
-        if (MayRate(mesh, v))
+        if (MayRate(mesh, v) && !IsHub(mesh, v))
         {
           RateEdges(mesh, v, true, parts[chunk]);
         }

@@ -117,7 +117,7 @@ bool ForcedCollapse::Gather(const SlackCandidate& candidate, std::vector<Index>&
   for (const VertexId v : this->Space.Around.Ring)
   {
     vertices.push_back(v);
-    if (mesh.MovesFreely(v))
+    if (MayMove(mesh, v))
     {
       mesh.VisitNeighbors(v, [&](HalfEdgeId, Index other) { vertices.push_back(other); });
     }

@@ -47,7 +47,7 @@ void PatchFit::Copy(const EdgeNeighborhood& around, const SlackCandidate& candid
   this->Vertices.push_back(merged);
   for (const VertexId v : around.Ring)
   {
-    if (this->Mesh.MovesFreely(v))
+    if (MayMove(this->Mesh, v))
     {
       this->CopyRing(v, around);
     }

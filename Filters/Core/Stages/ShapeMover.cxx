@@ -64,7 +64,7 @@ void ShapeMover::MoveAt(FaceId face)
 void ShapeMover::Move(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  if (!mesh.MovesFreely(vertex))
+  if (!MayMove(mesh, vertex))
   {
     return;
   }

@@ -88,7 +88,7 @@ std::vector<std::vector<Index>> SlackRefinement::ColorVertices() const
   std::vector<char> isTaken;
   for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
-    if (mesh.Outgoing(v) == None || !mesh.MovesFreely(v))
+    if (mesh.Outgoing(v) == None || !MayMove(mesh, v))
     {
       continue;
     }

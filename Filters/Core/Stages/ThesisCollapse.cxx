@@ -94,7 +94,7 @@ bool ThesisCollapse::CollapseEdge(HalfEdgeId edge)
 //------------------------------------------------------------------------------
 void ThesisCollapse::Recost(VertexId vertex)
 {
-  if (this->MeshEditor.Mesh().Outgoing(vertex) == None)
+  if (this->MeshEditor.Mesh().Outgoing(vertex) == None || IsHub(this->MeshEditor.Mesh(), vertex))
   {
     this->Queue.Remove(vertex);
   }

@@ -20,7 +20,7 @@ constexpr int AttemptsOfMove = 3;
 bool VertexMover::Improve(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  if (!mesh.MovesFreely(vertex))
+  if (!MayMove(mesh, vertex))
   {
     return false;
   }

@@ -66,7 +66,7 @@ std::vector<VolumeMover::Candidate> VolumeMover::FindCandidates(
   for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     const double lost = this->Lost[this->MeshEditor.Components().ComponentOf(v)];
-    if (mesh.Outgoing(v) == None || !mesh.MovesFreely(v) || lost == 0.0)
+    if (mesh.Outgoing(v) == None || !MayMove(mesh, v) || lost == 0.0)
     {
       continue;
     }
