@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SheetVictims.h"
+
+#include "BruteForce.h"
+#include "Crossings.h"
+#include "Shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace bonedecimate::testsupport
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr Index MostAround = 70;            // points of a loop
+constexpr std::size_t MostTriangles = 3000; // of which all pairs are tested
+
+using Ring = SheetVictim::Ring;
+
+Vector3 AnyDirection(Random& random)
+{
+  const double z = random.Between(-1.0, 1.0);
+  const double angle = random.Between(0.0, 2.0 * Pi);
+  const double r = std::sqrt(1.0 - z * z);
+  return { r * std::cos(angle), r * std::sin(angle), z };
+}
+
+Loop Circle(const Vector3& center, const Vector3& x, const Vector3& y, double radius, double edge)
+{
+  const Index count =
+    std::clamp<Index>(static_cast<Index>(2.0 * Pi * radius / edge), 8, MostAround);
+  Loop loop;
+  for (Index i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * Pi * (i + 0.01) / count;
+    loop.emplace_back(center + radius * (std::cos(angle) * x + std::sin(angle) * y));
+  }
+  return loop;
+}
+
+/// A square in the plane z = 0 from (-half, 0) to (half, 2 half), whose first side dips below it in the middle.
+Loop DippingSquare(Random& random, double half, double depth, double width)
+{
+  const Index cells = 3 + random.Below(22); // of a side
+  const Index dipCells = random.Below(3) == 0 ? 1 + random.Below(6) : 1;
+  const double step = 2.0 * half / cells;
+  Loop loop;
+  for (Index i = 0; i < cells && -half + i * step < -width - 0.1 * step; ++i)
+  {
+    loop.emplace_back(-half + i * step, 0.0, 0.0);
+  }
+  const auto before = static_cast<std::ptrdiff_t>(loop.size());
+  for (Index i = -dipCells; i <= dipCells; ++i)
+  {
+    const double t = static_cast<double>(i) / dipCells;
+    loop.emplace_back(t * width, 0.0, -depth * (1.0 - std::abs(t)));
+  }
+  for (std::ptrdiff_t i = before - 1; i > 0; --i)
+  {
+    loop.emplace_back(-loop[static_cast<std::size_t>(i)][0], 0.0, 0.0);
+  }
+  const std::array<Vector3, 4> corners = { Vector3(half, 0.0, 0.0), Vector3(half, 2.0 * half, 0.0),
+    Vector3(-half, 2.0 * half, 0.0), Vector3(-half, 0.0, 0.0) };
+  for (std::size_t side = 0; side < 3; ++side)
+  {
+    for (Index i = 0; i < cells; ++i)
+    {
+      loop.emplace_back(corners[side] + (corners[side + 1] - corners[side]) * i / cells);
+    }
+  }
+  return loop;
+}
+
+/**
+ * A square loop dips to the other side of the lowest or the highest part of an upright ring: if it was straight, the two would be linked
+ * or not, and they are not or are.
+ */
+SheetVictim DippingRings(Random& random)
+{
+  SheetVictim victim;
+  const double error = 0.5 * std::pow(10.0, random.Between(-0.3, 0.3));
+  const double thickness = error * random.Between(0.04, 0.12); // radius of the tubes
+  const double depth = error * random.Between(0.4, 0.95);
+  const double half = error * random.Between(5.0, 12.0);
+  const double radius = error * random.Between(1.8, 4.0); // of the upright ring
+  const double height = -depth * random.Between(0.35, 0.65);
+  const double sign = random.Below(2) == 0 ? 1.0 : -1.0; // whether the ring stands or hangs
+  const Vector3 center(0.0, 0.0, height + sign * radius);
+  Loop square = DippingSquare(random, half, depth, error * random.Between(0.6, 3.0));
+  Loop circle = Circle(center, Vector3(0.0, -1.0, 0.0), Vector3(0.0, 0.0, 1.0), radius,
+    error * random.Between(0.1, 0.6));
+  const double noise = random.Below(2) == 0 ? 0.0 : thickness * random.Between(0.0, 0.7);
+  for (Loop* loop : { &square, &circle })
+  {
+    std::for_each(loop->begin(), loop->end(), [&](Vector3& p) { p += random.InCube(noise); });
+  }
+  const Surface first = Tube(square, thickness, 3 + random.Below(5));
+  const Surface second = Tube(circle, thickness, 3 + random.Below(5));
+  victim.AreHandles = random.Below(3) == 0;
+  victim.Surface = victim.AreHandles
+    ? Bridged(second, first, center + (radius + thickness) * Vector3(0.0, 1.0, 0.0),
+        { 0.0, 2.0 * half, sign * thickness }, half)
+    : Together(first, second);
+  victim.Rings = { { { { 0.0, half, 0.0 }, Vector3::UnitZ() }, { -half, 2.0 * half, 0.0 } },
+    { { center, Vector3::UnitX() }, center - radius * Vector3::UnitY() } };
+  victim.Error = error;
+  return victim;
+}
+
+/// Ring whose start is farthest from the points of the others; false if it is too near to them.
+bool FindStart(Ring& ring, const std::vector<Loop>& loops, std::size_t own, double least)
+{
+  double most = 0.0; // mm
+  for (const Vector3& p : loops[own])
+  {
+    double distance = Infinity; // mm
+    for (std::size_t other = 0; other < loops.size(); ++other)
+    {
+      for (const Vector3& q : loops[other])
+      {
+        distance = other != own ? std::min(distance, (p - q).norm()) : distance;
+      }
+    }
+    ring.Start = distance > most ? p : ring.Start;
+    most = std::max(most, distance);
+  }
+  return most > least;
+}
+
+/// Two or three rings anywhere, wavy.
+SheetVictim RingsAnywhere(Random& random)
+{
+  SheetVictim victim;
+  const double error = 0.5 * std::pow(10.0, random.Between(-0.3, 0.3));
+  const double size = error * random.Between(2.5, 4.0);
+  const Index count = 2 + random.Below(2);
+  std::vector<Loop> loops;
+  for (Index i = 0; i < count; ++i)
+  {
+    const Vector3 n = AnyDirection(random);
+    const Vector3 x = n.cross(AnyDirection(random)).normalized();
+    const Vector3 center = random.InCube(0.7 * size);
+    Loop loop = Circle(
+      center, x, n.cross(x), size * random.Between(1.0, 1.3), error * random.Between(0.25, 0.6));
+    const double wave = error * random.Between(0.0, 0.5);
+    const double turns = static_cast<double>(2 + random.Below(9));
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      const double angle =
+        turns * 2.0 * Pi * static_cast<double>(k) / static_cast<double>(loop.size());
+      loop[k] += wave * (std::cos(angle) * n + std::sin(angle) * (loop[k] - center).normalized());
+    }
+    const Surface tube = Tube(loop, error * random.Between(0.04, 0.12), 3 + random.Below(4));
+    victim.Surface = i == 0 ? tube : Together(victim.Surface, tube);
+    victim.Rings.push_back({ { center, n }, center });
+    loops.push_back(loop);
+  }
+  victim.Error = error;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    if (!FindStart(victim.Rings[i], loops, i, 2.6 * error))
+    {
+      return RingsAnywhere(random);
+    }
+  }
+  return victim;
+}
+
+/// A box or a sheet without sides, in cells; z = 0 at the bottom and 1 at the top, z = 0 alone of a sheet.
+Surface FlatPart(Index cells, bool isOpen)
+{
+  Surface part = isOpen ? Grid(cells) : FlatPlate(cells);
+  Vector3 low = part.Points[0];
+  for (const Vector3& p : part.Points)
+  {
+    low = low.cwiseMin(p);
+  }
+  return Moved(part, -low);
+}
+
+Surface Speck(Random& random, const Vector3& at, double size)
+{
+  Surface speck = Scaled(Moved(Tetrahedron(), Vector3::Constant(-0.25)), size);
+  return Moved(random.Below(4) == 0 ? TurnedInsideOut(speck) : speck, at);
+}
+
+/// Up to three plates above each other that follow the same waves, with specks in the gaps.
+SheetVictim NearPlates(Random& random)
+{
+  SheetVictim victim;
+  const double error = 0.5 * std::pow(10.0, random.Between(-0.3, 0.3));
+  victim.Error = error;
+  const Index cells = 6 + random.Below(6);
+  const double cell = error * random.Between(1.0, 1.8);
+  const double width = cell * cells;
+  const double wave = error * random.Between(0.0, 1.5);
+  const double alongX = random.Between(0.5, 3.0) / error / 2.0;
+  const double alongY = random.Between(0.5, 3.0) / error / 2.0;
+  const auto waveAt = [&](double x, double y)
+  { return wave * std::sin(alongX * x) * std::cos(alongY * y); };
+  victim.Middle = { { 0.5 * width, 0.5 * width, 0.0 }, Vector3::UnitZ() };
+  victim.Radius = 0.5 * width - 2.2 * error;
+  const Index count = 1 + random.Below(3);
+  std::vector<Surface> specks;
+  double z = 0.0;
+  for (Index i = 0; i < count; ++i)
+  {
+    const bool isOpen = random.Below(3) == 0;
+    const double thickness = error * random.Between(0.05, 0.9);
+    const double gap = error * random.Between(0.05, 0.9);
+    const double noise = random.Below(2) == 0 ? 0.0 : 0.4 * std::min(gap, thickness);
+    Surface plate = FlatPart(cells, isOpen);
+    for (Vector3& p : plate.Points)
+    {
+      const double x = cell * p[0];
+      const double y = cell * p[1];
+      const double up = z + waveAt(x, y) + thickness * p[2] + random.Between(-noise, noise);
+      p = Vector3(x, y, up);
+    }
+    victim.Surface = i == 0 ? plate : Together(victim.Surface, plate);
+    z += isOpen ? 0.0 : thickness;
+    if (random.Below(2) == 0)
+    {
+      const double x = 0.5 * width + random.Between(-0.5, 0.5) * victim.Radius;
+      const double y = 0.5 * width + random.Between(-0.5, 0.5) * victim.Radius;
+      specks.push_back(
+        Speck(random, { x, y, z + 0.5 * gap + waveAt(x, y) }, gap * random.Between(0.05, 0.4)));
+      for (Index plates = 0; plates < count; ++plates)
+      {
+        victim.Views.push_back({ static_cast<std::size_t>(count) + specks.size() - 1,
+          static_cast<std::size_t>(plates), (plates <= i ? -1.0 : 1.0) * Vector3::UnitZ() });
+      }
+    }
+    z += gap;
+    for (Index lower = 0; lower < i; ++lower)
+    {
+      const auto below = static_cast<std::size_t>(lower);
+      victim.Views.push_back({ below, static_cast<std::size_t>(i), Vector3::UnitZ() });
+      victim.Views.push_back({ static_cast<std::size_t>(i), below, -Vector3::UnitZ() });
+    }
+  }
+  for (const Surface& speck : specks)
+  {
+    victim.Surface = Together(victim.Surface, speck);
+  }
+  return victim;
+}
+
+/// Spheres in each other, or lumps of the same kind, with gaps near the error.
+SheetVictim NearShells(Random& random)
+{
+  SheetVictim victim;
+  const int levels = 2;
+  const double radius = 10.0;
+  victim.Error = radius * std::pow(10.0, random.Between(-1.7, -0.7));
+  const double roughness = random.Between(0.0, 0.3);
+  const auto seed = static_cast<std::uint64_t>(random.Below(1000));
+  double scale = 1.0;
+  const Index count = 2 + random.Below(3);
+  for (Index i = 0; i < count; ++i)
+  {
+    Surface shell = BumpySphere(levels, radius * scale, roughness, seed);
+    shell = random.Below(2) == 0 ? shell : TurnedInsideOut(shell);
+    victim.Surface = i == 0 ? shell : Together(victim.Surface, shell);
+    scale *= 1.0 - victim.Error / radius * random.Between(0.1, 1.2);
+  }
+  return victim;
+}
+
+/// A lump with spikes and pits, and tetrahedra near it: within its spikes, in its pits, above and below its surface.
+SheetVictim Spikes(Random& random)
+{
+  SheetVictim victim;
+  const double radius = 10.0;
+  const double error = radius * std::pow(10.0, random.Between(-1.7, -0.5));
+  victim.Error = error;
+  Surface lump =
+    BumpySphere(2 + random.Below(2), radius, random.Between(0.0, 0.1), random.Below(1000));
+  const auto numberOfPoints = static_cast<Index>(lump.Points.size());
+  std::vector<Surface> specks;
+  for (Index left = 1 + random.Below(6); left > 0; --left)
+  {
+    Vector3& tip = lump.Points[static_cast<std::size_t>(random.Below(numberOfPoints))];
+    const Vector3 up = tip.normalized() * (random.Below(2) == 0 ? 1.0 : -1.0);
+    const double height = random.Below(3) == 0 ? 0.0 : error * random.Between(0.2, 1.5);
+    tip += height * up;
+    const double distance = error * random.Between(0.05, 0.8);
+    specks.push_back(Speck(random, tip - distance * up, distance * random.Between(0.02, 0.4)));
+  }
+  victim.Surface = random.Below(2) == 0 ? lump : TurnedInsideOut(lump);
+  for (const Surface& speck : specks)
+  {
+    victim.Surface = Together(victim.Surface, speck);
+  }
+  return victim;
+}
+
+/// Turned and moved anywhere.
+SheetVictim Anywhere(Random& random, SheetVictim victim)
+{
+  const Vector3 x = AnyDirection(random);
+  const Vector3 y = x.cross(AnyDirection(random)).normalized();
+  const Vector3 offset = random.InCube(std::pow(10.0, random.Between(0.0, 3.0)));
+  const auto turn = [&, z = Vector3(x.cross(y))](Vector3& v)
+  { v = (v[0] * x + v[1] * y + v[2] * z).eval(); };
+  const auto place = [&](Vector3& p)
+  {
+    turn(p);
+    p += offset;
+  };
+  std::for_each(victim.Surface.Points.begin(), victim.Surface.Points.end(), place);
+  for (Ring& ring : victim.Rings)
+  {
+    place(ring.Hole.Point);
+    turn(ring.Hole.Direction);
+    place(ring.Start);
+  }
+  for (SheetVictim::View& view : victim.Views)
+  {
+    turn(view.Direction);
+  }
+  place(victim.Middle.Point);
+  turn(victim.Middle.Direction);
+  return victim;
+}
+}
+
+SheetVictim AnySheetVictim(Random& random)
+{
+  static const std::array<SheetVictim (*)(Random&), 7> makers = { DippingRings, DippingRings,
+    DippingRings, RingsAnywhere, NearPlates, NearShells, Spikes };
+  const auto maker =
+    makers[static_cast<std::size_t>(random.Below(static_cast<Index>(makers.size())))];
+  SheetVictim victim = maker(random);
+  while (victim.Surface.Triangles.size() > MostTriangles || CountCrossings(victim.Surface) > 0)
+  {
+    victim = maker(random);
+  }
+  return random.Below(2) == 0 ? Anywhere(random, std::move(victim)) : victim;
+}
+}
