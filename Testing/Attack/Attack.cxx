@@ -168,10 +168,11 @@ void Print(const Totals& totals)
   }
   if (totals.ComponentPairs > 0)
   {
-    std::printf("%lld pairs of rings, %lld of them linked, %lld pairs of components and %lld rays: "
-                "nothing has passed through anything\n",
+    std::printf(
+      "%lld pairs of rings, %lld of them linked, %lld pairs of components, %lld of plates: "
+      "nothing has passed through anything\n",
       static_cast<long long>(totals.RingPairs), static_cast<long long>(totals.LinkedPairs),
-      static_cast<long long>(totals.ComponentPairs), static_cast<long long>(totals.Rays));
+      static_cast<long long>(totals.ComponentPairs), static_cast<long long>(totals.Views));
   }
 }
 

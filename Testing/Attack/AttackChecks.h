@@ -41,7 +41,7 @@ struct Totals
   std::int64_t RingPairs = 0;
   std::int64_t LinkedPairs = 0;
   std::int64_t ComponentPairs = 0;
-  std::int64_t Rays = 0;
+  std::int64_t Views = 0;
 };
 
 /// The input of the decimation after cleaning: equal points merged, triangles without area dropped.

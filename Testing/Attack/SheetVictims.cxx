@@ -224,8 +224,8 @@ SheetVictim NearPlates(Random& random)
     z += isOpen ? 0.0 : thickness;
     if (random.Below(2) == 0)
     {
-      const double x = 0.5 * width + random.Between(-0.5, 0.5) * victim.Radius;
-      const double y = 0.5 * width + random.Between(-0.5, 0.5) * victim.Radius;
+      const double x = cell * (cells / 2 + random.Below(3) - 1); // at vertices of all plates
+      const double y = cell * (cells / 2 + random.Below(3) - 1);
       specks.push_back(
         Speck(random, { x, y, z + 0.5 * gap + waveAt(x, y) }, gap * random.Between(0.05, 0.4)));
       for (Index plates = 0; plates < count; ++plates)

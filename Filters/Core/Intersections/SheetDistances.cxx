@@ -3,6 +3,7 @@
 #include "SheetDistances.h"
 
 #include "BoxTree.h"
+#include "FaceGrid.h"
 #include "Parallel.h"
 #include "WorkspacePool.h"
 
