@@ -187,66 +187,109 @@ Surface Speck(Random& random, const Vector3& at, double size)
   return Moved(random.Below(4) == 0 ? TurnedInsideOut(speck) : speck, at);
 }
 
-/// Up to three plates above each other that follow the same waves, with specks in the gaps.
-SheetVictim NearPlates(Random& random)
+/// Plates above each other, all lengths in mm.
+class PlateStack
 {
-  SheetVictim victim;
-  const double error = 0.5 * std::pow(10.0, random.Between(-0.3, 0.3));
-  victim.Error = error;
-  const Index cells = 6 + random.Below(6);
-  const double cell = error * random.Between(1.0, 1.8);
-  const double width = cell * cells;
-  const double wave = error * random.Between(0.0, 1.5);
-  const double alongX = random.Between(0.5, 3.0) / error / 2.0;
-  const double alongY = random.Between(0.5, 3.0) / error / 2.0;
-  const auto waveAt = [&](double x, double y)
-  { return wave * std::sin(alongX * x) * std::cos(alongY * y); };
-  victim.Middle = { { 0.5 * width, 0.5 * width, 0.0 }, Vector3::UnitZ() };
-  victim.Radius = 0.5 * width - 2.2 * error;
-  const Index count = 1 + random.Below(3);
-  std::vector<Surface> specks;
-  double z = 0.0;
-  for (Index i = 0; i < count; ++i)
+public:
+  explicit PlateStack(Random& random)
+    : Numbers(random)
+    , Error(0.5 * std::pow(10.0, random.Between(-0.3, 0.3)))
+    , Cells(6 + random.Below(6))
+    , Cell(this->Error * random.Between(1.0, 1.8))
+    , Wave(this->Error * random.Between(0.0, 1.5))
+    , AlongX(random.Between(0.25, 1.5) / this->Error)
+    , AlongY(random.Between(0.25, 1.5) / this->Error)
   {
-    const bool isOpen = random.Below(3) == 0;
-    const double thickness = error * random.Between(0.05, 0.9);
-    const double gap = error * random.Between(0.05, 0.9);
-    const double noise = random.Below(2) == 0 ? 0.0 : 0.4 * std::min(gap, thickness);
-    Surface plate = FlatPart(cells, isOpen);
+  }
+
+  SheetVictim Make()
+  {
+    const Index count = 1 + this->Numbers.Below(3);
+    for (Index i = 0; i < count; ++i)
+    {
+      this->AddPlate(i, count);
+    }
+    for (const bonedecimate::Surface& speck : this->Specks)
+    {
+      this->Victim.Surface = Together(this->Victim.Surface, speck);
+    }
+    const double half = 0.5 * this->Cell * this->Cells;
+    this->Victim.Error = this->Error;
+    this->Victim.Middle = { { half, half, 0.0 }, Vector3::UnitZ() };
+    this->Victim.Radius = half - 2.2 * this->Error;
+    return this->Victim;
+  }
+
+private:
+  double WaveAt(double x, double y) const
+  {
+    return this->Wave * std::sin(this->AlongX * x) * std::cos(this->AlongY * y);
+  }
+
+  void AddPlate(Index i, Index count)
+  {
+    const bool isOpen = this->Numbers.Below(3) == 0;
+    const double thickness = this->Error * this->Numbers.Between(0.05, 0.9);
+    const double gap = this->Error * this->Numbers.Between(0.05, 0.9); // to the next one
+    const double noise = this->Numbers.Below(2) == 0 ? 0.0 : 0.4 * std::min(gap, thickness);
+    bonedecimate::Surface plate = FlatPart(this->Cells, isOpen);
     for (Vector3& p : plate.Points)
     {
-      const double x = cell * p[0];
-      const double y = cell * p[1];
-      const double up = z + waveAt(x, y) + thickness * p[2] + random.Between(-noise, noise);
-      p = Vector3(x, y, up);
+      const double x = this->Cell * p[0];
+      const double y = this->Cell * p[1];
+      const double up = this->Height + this->WaveAt(x, y) + thickness * p[2];
+      p = Vector3(x, y, up + this->Numbers.Between(-noise, noise));
     }
-    victim.Surface = i == 0 ? plate : Together(victim.Surface, plate);
-    z += isOpen ? 0.0 : thickness;
-    if (random.Below(2) == 0)
+    this->Victim.Surface = i == 0 ? plate : Together(this->Victim.Surface, plate);
+    this->Height += isOpen ? 0.0 : thickness;
+    if (this->Numbers.Below(2) == 0)
     {
-      const double x = cell * (cells / 2 + random.Below(3) - 1); // at vertices of all plates
-      const double y = cell * (cells / 2 + random.Below(3) - 1);
-      specks.push_back(
-        Speck(random, { x, y, z + 0.5 * gap + waveAt(x, y) }, gap * random.Between(0.05, 0.4)));
-      for (Index plates = 0; plates < count; ++plates)
-      {
-        victim.Views.push_back({ static_cast<std::size_t>(count) + specks.size() - 1,
-          static_cast<std::size_t>(plates), (plates <= i ? -1.0 : 1.0) * Vector3::UnitZ() });
-      }
+      this->AddSpeck(i, count, gap);
     }
-    z += gap;
+    this->Height += gap;
     for (Index lower = 0; lower < i; ++lower)
     {
-      const auto below = static_cast<std::size_t>(lower);
-      victim.Views.push_back({ below, static_cast<std::size_t>(i), Vector3::UnitZ() });
-      victim.Views.push_back({ static_cast<std::size_t>(i), below, -Vector3::UnitZ() });
+      this->AddView(lower, i, 1.0);
+      this->AddView(i, lower, -1.0);
     }
   }
-  for (const Surface& speck : specks)
+
+  /// Above a plate, in the middle of all.
+  void AddSpeck(Index plate, Index count, double gap)
   {
-    victim.Surface = Together(victim.Surface, speck);
+    const double x = this->Cell * (this->Cells / 2 + this->Numbers.Below(3) - 1);
+    const double y = this->Cell * (this->Cells / 2 + this->Numbers.Below(3) - 1);
+    const Vector3 at(x, y, this->Height + 0.5 * gap + this->WaveAt(x, y));
+    this->Specks.push_back(Speck(this->Numbers, at, gap * this->Numbers.Between(0.05, 0.4)));
+    for (Index other = 0; other < count; ++other)
+    {
+      this->AddView(
+        count + static_cast<Index>(this->Specks.size()) - 1, other, other <= plate ? -1.0 : 1.0);
+    }
   }
-  return victim;
+
+  void AddView(Index from, Index to, double sign)
+  {
+    this->Victim.Views.push_back(
+      { static_cast<std::size_t>(from), static_cast<std::size_t>(to), sign * Vector3::UnitZ() });
+  }
+
+  Random& Numbers;
+  double Error;
+  Index Cells;
+  double Cell;
+  double Wave;
+  double AlongX; // 1/mm
+  double AlongY;
+  double Height = 0.0;
+  std::vector<bonedecimate::Surface> Specks;
+  SheetVictim Victim;
+};
+
+/// Up to three plates that follow the same waves, with specks in the gaps.
+SheetVictim NearPlates(Random& random)
+{
+  return PlateStack(random).Make();
 }
 
 /// Spheres in each other, or lumps of the same kind, with gaps near the error.
