@@ -349,23 +349,23 @@ SheetVictim Anywhere(Random& random, SheetVictim victim)
   const Vector3 offset = random.InCube(std::pow(10.0, random.Between(0.0, 3.0)));
   const auto turn = [&, z = Vector3(x.cross(y))](Vector3& v)
   { v = (v[0] * x + v[1] * y + v[2] * z).eval(); };
-  const auto place = [&](Vector3& p)
+  const auto toAnywhere = [&](Vector3& p)
   {
     turn(p);
     p += offset;
   };
-  std::for_each(victim.Surface.Points.begin(), victim.Surface.Points.end(), place);
+  std::for_each(victim.Surface.Points.begin(), victim.Surface.Points.end(), toAnywhere);
   for (Ring& ring : victim.Rings)
   {
-    place(ring.Hole.Point);
+    toAnywhere(ring.Hole.Point);
     turn(ring.Hole.Direction);
-    place(ring.Start);
+    toAnywhere(ring.Start);
   }
   for (SheetVictim::View& view : victim.Views)
   {
     turn(view.Direction);
   }
-  place(victim.Middle.Point);
+  toAnywhere(victim.Middle.Point);
   turn(victim.Middle.Direction);
   return victim;
 }
