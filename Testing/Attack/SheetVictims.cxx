@@ -97,13 +97,18 @@ SheetVictim DippingRings(Random& random)
   {
     std::for_each(loop->begin(), loop->end(), [&](Vector3& p) { p += random.InCube(noise); });
   }
-  const Surface first = Tube(square, thickness, 3 + random.Below(5));
-  const Surface second = Tube(circle, thickness, 3 + random.Below(5));
+  const double flatness = random.Below(3) == 0 ? random.Between(2.0, 8.0) : 1.0;
+  const Surface first = Tube(square, thickness, 3 + random.Below(5), flatness);
+  const Surface second = Tube(circle, thickness, 3 + random.Below(5), flatness);
   victim.AreHandles = random.Below(3) == 0;
-  victim.Surface = victim.AreHandles
-    ? Bridged(second, first, center + (radius + thickness) * Vector3(0.0, 1.0, 0.0),
-        { 0.0, 2.0 * half, sign * thickness }, half)
-    : Together(first, second);
+  const bool isNear = random.Below(2) == 0; // whether the bridge is where the two are near
+  const double turn = random.Between(-1.2, 1.2);
+  const Vector3 nearby = center - sign * radius * Vector3(0.0, std::sin(turn), std::cos(turn));
+  const Vector3 along(error * random.Between(-1.5, 1.5), 0.0, -depth);
+  victim.Surface = !victim.AreHandles ? Together(first, second)
+    : isNear ? Bridged(second, first, nearby, along, error * random.Between(0.05, 0.5))
+             : Bridged(second, first, center + (radius + thickness) * Vector3::UnitY(),
+                 { 0.0, 2.0 * half, sign * thickness }, half);
   victim.Rings = { { { { 0.0, half, 0.0 }, Vector3::UnitZ() }, { -half, 2.0 * half, 0.0 } },
     { { center, Vector3::UnitX() }, center - radius * Vector3::UnitY() } };
   victim.Error = error;

@@ -180,7 +180,7 @@ private:
 };
 }
 
-Surface Tube(const Loop& loop, double radius, Index sides)
+Surface Tube(const Loop& loop, double radius, Index sides, double flatness)
 {
   const std::vector<Vector3> tangents = Tangents(loop);
   const std::vector<Vector3> normals = FrameNormals(tangents);
@@ -188,7 +188,7 @@ Surface Tube(const Loop& loop, double radius, Index sides)
   Surface tube;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    const Vector3 across = tangents[i].cross(normals[i]);
+    const Vector3 across = flatness * tangents[i].cross(normals[i]);
     for (Index j = 0; j < sides; ++j)
     {
       const double angle = 2.0 * Pi * j / sides;

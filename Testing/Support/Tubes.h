@@ -23,8 +23,9 @@ struct Axis
   Vector3 Direction; ///< Length 1.
 };
 
-/// The surface around a loop: around each of its points a regular polygon of that many sides. Counter-clockwise seen from outside.
-Surface Tube(const Loop& loop, double radius, Index sides);
+/// The surface around a loop: around each of its points a polygon of that many sides. Counter-clockwise seen from outside.
+/// @param radius mm.  @param flatness How many times as wide as thick: more than 1 is a band.
+Surface Tube(const Loop& loop, double radius, Index sides, double flatness = 1.0);
 
 /// Removes a triangle of each of two surfaces and connects their rims: two rings become one component of two handles.
 /// @param from, to mm; the triangles are those nearest to these points.
