@@ -6,6 +6,7 @@
  *
  *     bonedecimate-attack RUNS SEED [SURFACE.ply ...]
  *     bonedecimate-attack --labels RUNS SEED             surfaces of label maps (LabelAttack.h)
+ *     bonedecimate-attack --near RUNS SEED             parts that are near to each other (NearAttack.h)
  *
  * Every run is a random surface, or a piece cut out of one of the files, with random options, sometimes with a random map of
  * tolerances, sometimes so far from the origin that rounding matters. The certificate, which is independent of the run,
@@ -14,13 +15,13 @@
 #include "AttackChecks.h"
 #include "LabelAttack.h"
 #include "Shapes.h"
+#include "NearAttack.h"
 #include "TriangleFile.h"
 #include "Victims.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <functional>
 #include <limits>
@@ -165,6 +166,14 @@ void Print(const Totals& totals)
       static_cast<long long>(totals.Smoothed), static_cast<long long>(totals.Guarded),
       static_cast<long long>(totals.ExactlyCounted), static_cast<long long>(totals.ChangedVoxels));
   }
+  if (totals.ComponentPairs > 0)
+  {
+    std::printf(
+      "%lld pairs of rings, %lld of them linked, %lld pairs of components, %lld of plates: "
+      "nothing has passed through anything\n",
+      static_cast<long long>(totals.RingPairs), static_cast<long long>(totals.LinkedPairs),
+      static_cast<long long>(totals.ComponentPairs), static_cast<long long>(totals.Views));
+  }
 }
 
 /// @param attack Returns what broke in the run of a seed.
@@ -193,12 +202,14 @@ int Run(
 
 int main(int argumentCount, char** words)
 {
-  const bool hasLabels = argumentCount > 1 && std::strcmp(words[1], "--labels") == 0;
-  const int first = hasLabels ? 2 : 1;
-  if (argumentCount < first + 2 || (hasLabels && argumentCount > first + 2))
+  const std::string kind = argumentCount > 1 ? words[1] : "";
+  const bool hasKind = kind == "--labels" || kind == "--near";
+  const int first = hasKind ? 2 : 1;
+  if (argumentCount < first + 2 || (hasKind && argumentCount > first + 2))
   {
     std::fputs("usage: bonedecimate-attack RUNS SEED [SURFACE.ply ...]\n"
-               "       bonedecimate-attack --labels RUNS SEED\n",
+               "       bonedecimate-attack --labels RUNS SEED\n"
+               "       bonedecimate-attack --near RUNS SEED\n",
       stderr);
     return EXIT_FAILURE;
   }
@@ -207,10 +218,12 @@ int main(int argumentCount, char** words)
     const long runs = std::atol(words[first]);
     const std::uint64_t seed = std::strtoull(words[first + 1], nullptr, 10);
     const std::vector<Surface> large = ReadAll(argumentCount - first - 2, words + first + 2);
-    return hasLabels
-      ? Run(runs, seed, AttackLabels)
-      : Run(runs, seed,
-          [&large](std::uint64_t at, Totals& totals) { return AttackOnce(at, large, totals); });
+    if (hasKind)
+    {
+      return Run(runs, seed, kind == "--labels" ? AttackLabels : AttackNear);
+    }
+    return Run(runs, seed,
+      [&large](std::uint64_t at, Totals& totals) { return AttackOnce(at, large, totals); });
   }
   catch (const std::exception& failure)
   {

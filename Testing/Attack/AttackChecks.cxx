@@ -50,16 +50,6 @@ double SolidAngle(const Vector3& from, const Surface& surface, const Triangle& t
     std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
 }
 
-bool IsInside(const Vector3& p, const Surface& closed)
-{
-  double angle = 0.0;
-  for (const Triangle& t : closed.Triangles)
-  {
-    angle += SolidAngle(p, closed, t);
-  }
-  return std::abs(angle) > 2.0 * 3.14159265358979323846;
-}
-
 /// Pairs of closed components of which one lies in the other, where they do not intersect; -1 if there are too many.
 int CountNested(const Surface& surface)
 {
@@ -77,14 +67,25 @@ int CountNested(const Surface& surface)
     const Index point = closed[i].Triangles[0][0];
     for (std::size_t j = 0; j < closed.size(); ++j)
     {
-      count +=
-        i != j && IsInside(closed[i].Points[static_cast<std::size_t>(point)], closed[j]) ? 1 : 0;
+      const Vector3& p = closed[i].Points[static_cast<std::size_t>(point)];
+      count += i != j && std::abs(WindingNumber(closed[j], p)) > 0.5 ? 1 : 0;
     }
   }
   return count;
 }
 }
 
+double WindingNumber(const Surface& closed, const Vector3& p)
+{
+  double angle = 0.0;
+  for (const Triangle& t : closed.Triangles)
+  {
+    angle += SolidAngle(p, closed, t);
+  }
+  return angle / (4.0 * 3.14159265358979323846);
+}
+
+//------------------------------------------------------------------------------
 CleanSurface Cleaned(const Surface& input)
 {
   CleanSurface clean = Clean(input, true);

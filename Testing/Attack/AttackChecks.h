@@ -37,6 +37,11 @@ struct Totals
   std::int64_t Guarded = 0;
   std::int64_t ChangedVoxels = 0; // in runs without the guard
   std::int64_t ExactlyCounted = 0;
+  // Of runs on near parts:
+  std::int64_t RingPairs = 0;
+  std::int64_t LinkedPairs = 0;
+  std::int64_t ComponentPairs = 0;
+  std::int64_t Views = 0;
 };
 
 /// The input of the decimation after cleaning: equal points merged, triangles without area dropped.
@@ -56,6 +61,9 @@ void RoundToSingle(Surface& surface);
 
 /// Empty if no more pairs of triangles pierce each other. Where writing moves points, pairs that only touched may do so.
 std::string WhatPierces(const Attack& attack, const Surface& before, const Surface& after);
+
+/// How often a closed surface winds around a point, by solid angles.
+double WindingNumber(const Surface& closed, const Vector3& p);
 
 /// Empty if no closed component went into another one or came out of it. Surfaces that intersect are not tested.
 std::string WhatJumped(const Surface& before, const Surface& after);

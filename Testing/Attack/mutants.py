@@ -6,8 +6,8 @@
     mutants.py FOLDER [--only PATTERN] [--runs N] [SURFACE.ply ...]
 
 FOLDER holds a copy of the source and its build. Bugs in the error bound are looked for by the attack on surfaces, those in the draft and
-in the certificate by it and by unit tests, all others by the attack on label maps and by unit tests. Ends with 1 if neither finds a bug in N runs (4000), or if an attack finds a violation
-without any.
+in the certificate by it and by unit tests, those in what lets nothing pass through anything by the attack on near parts and by unit tests, all others by the
+attack on label maps and by unit tests. Ends with 1 if neither finds a bug in N runs (4000), or if an attack finds a violation without any.
 """
 
 from __future__ import annotations
@@ -29,7 +29,9 @@ SMOOTHING = "Filters/Core/Smoothing/"
 LABELS = "Filters/Core/LabelMap/"
 GUARD = "Filters/Core/VoxelGuard/"
 INTERSECTIONS = "Filters/Core/Intersections/"
-REPLAY = INTERSECTIONS + "EditReplay.cxx"
+STATE = INTERSECTIONS + "StateCheck.cxx"
+CLEARANCE = INTERSECTIONS + "Clearance.cxx"
+DRAFT = "Filters/Core/Edit/EditorDraft.cxx"
 BULK = FOLDER + "BulkProof.cxx"
 CERTIFICATE = "Filters/Core/Certificate/"
 OVERLAY = CERTIFICATE + "OverlayCover.cxx"
@@ -44,7 +46,7 @@ class Mutant(NamedTuple):
     right: str
     wrong: str
     tests: str = ""  # GoogleTest's filter of the unit tests that look for it, too
-    of_labels: bool = True  # whether the attack on label maps looks for it, if there are unit tests, or that on surfaces
+    kind: str = "labels"  # the attack that looks for it, if there are unit tests; else it is that on surfaces
 
 
 SMOOTHING_TESTS = "Smoothing*:AutomaticSmoothing*"
@@ -54,8 +56,8 @@ CHECK_TESTS = "VoxelChecks*:*EachMap*:KeepVoxelsOption*"
 
 BATCH = "Filters/Core/Schedule/BatchSweep.cxx"
 BATCH_TESTS = "BatchSweep*"
-DRAFT_TESTS = "Draft*:EditJournal*:FaceHistory*:EditReplay*:BulkProof*"
-REPLAY_TESTS = DRAFT_TESTS + ":*IntersectionGuard*:GapsOfADraft*"
+DRAFT_TESTS = "Draft*:EditJournal*"
+GUARD_OF_DRAFT_TESTS = DRAFT_TESTS + ":Clearance*:Containment*:*IntersectionGuard*:GapsOfADraft*"
 SHAPE_TESTS = "ShapeFilter*:ShapeImprover*:ShapePenalty*:MinimumAngle*:RingShape*"
 TUNNEL_TESTS = "Tunnels*:EdgeGraph*"
 SPLIT_TESTS = "EdgeSplit*:EdgeLength*:FreeSlots*"
@@ -64,12 +66,17 @@ CERTIFICATE_TESTS = "OverlayCover*:JointCover*:PointValues*:EdgeSides*:Certifica
 
 def of_draft(name: str, file: str, right: str, wrong: str, tests: str = DRAFT_TESTS) -> Mutant:
     """A bug that the attack on surfaces and unit tests look for."""
-    return Mutant(name, file, right, wrong, tests, False)
+    return Mutant(name, file, right, wrong, tests, "surfaces")
+
+
+def of_near(name: str, file: str, right: str, wrong: str) -> Mutant:
+    """A bug that the attack on near parts and unit tests look for."""
+    return Mutant(name, file, right, wrong, GUARD_OF_DRAFT_TESTS, "near")
 
 
 MUTANTS = (
-    Mutant("a limit that is a twentieth too large", FOLDER + "ErrorLimits.cxx", "error * (1.0 - RelativeSlack) - slack",
-           "error * 1.05 - slack"),
+    Mutant("a limit that is a twentieth too large", FOLDER + "ErrorLimits.cxx", "error * (1.0 - RelativeSlack) - this->Slack",
+           "error * 1.05 - this->Slack"),
     Mutant("no slack for points that are rounded when they are written", FOLDER + "ErrorLimits.cxx",
            "return AbsoluteSlack * size + rounding;", "return 0.0 * (size + rounding);"),
     Mutant("the most tolerant corner of an original counts", FOLDER + "ErrorLimits.h",
@@ -119,12 +126,12 @@ MUTANTS = (
              "        if (at == edit && (position == seen.end() || *position != later))"),
     of_draft("an undone edit stays the last one of its faces", "Filters/Core/EditFilters/EditJournal.cxx",
              "    this->OfFace[face.Face] = face.Made;\n", "    (void)face;\n"),
-    of_draft("an undone edit leaves the vertex where it was moved", "Filters/Core/Edit/EditorDraft.cxx",
+    of_draft("an undone edit leaves the vertex where it was moved", DRAFT,
              "  this->Half.Move(entry.Keep, journal.OldPosition(entry));\n", ""),
     of_draft("faces of a draft are not proved", BULK, "                this->Shared.Nearest[this->Mesh.Corners(face)[0]])\n",
              "                this->Shared.Nearest[this->Mesh.Corners(face)[0]]) || true\n"),
-    of_draft("originals of a draft are not proved", BULK, "    if (!this->Found.Of(i).IsProved)\n",
-             "    if (!this->Found.Of(i).IsProved && this->Found.Of(i).Count > 99)\n"),
+    of_draft("originals of a draft are not proved", BULK, "          if (!covering.IsProved)\n",
+             "          if (!covering.IsProved && covering.Count > 99)\n"),
     of_draft("a face that an undone edit restored counts as proved", BULK,
              "this->Journal.LastOfFace(face) != this->ProvedVersion[face] ? 1 : 0",
              "this->Journal.LastOfFace(face) > this->ProvedVersion[face] ? 1 : 0"),
@@ -134,38 +141,55 @@ MUTANTS = (
     of_draft("an original that was covered at first counts as covered", BULK,
              "    [this](Index face) { return this->Journal.IsChanged(face); });",
              "    [this](Index face) { return !this->Mesh.IsAlive(FaceId(face)); });"),
-    of_draft("two corners of an original of a draft are enough", BULK, "    if (second != None && third != None)\n",
+    of_draft("two corners of an original of a draft are enough", FOLDER + "OriginalProof.cxx", "    if (second != None && third != None)\n",
              "    if (second != None)\n"),
     of_draft("one covering face is written of each original", FOLDER + "CoveringList.cxx",
              "    for (int i = 0; i < covering.Count; ++i)\n", "    for (int i = 0; i < std::min(covering.Count, 1); ++i)\n"),
-    of_draft("the intersections of a draft are not checked", REPLAY, "MeetMore(patch.Old, patch.New, work.Near, written) ||",
-             "written.Rounding() < 0.0 ||", REPLAY_TESTS),
-    of_draft("a draft may jump over something", REPLAY, " ||\n      JumpOver(patch.Old, patch.New, work.Near)", "",
-             REPLAY_TESTS),
-    of_draft("an edit may jump over something", INTERSECTIONS + "IntersectionGuard.cxx",
-             "!this->NarrowsGap(work) && !JumpOver(work.Old, work.New, work.Near);", "!this->NarrowsGap(work);", REPLAY_TESTS),
-    of_draft("intersections are decided where the mesh has the vertices", INTERSECTIONS + "WrittenPositions.cxx",
-             "  if (this->Input == nullptr)\n", "  if (this->MostRounding < 1.0)\n", REPLAY_TESTS),
-    of_draft("what is near undone edits is not checked again", REPLAY,
-             "[&](std::size_t) { isToCheck = true; }", "[&](std::size_t) { isToCheck = isToCheck; }", REPLAY_TESTS),
-    of_draft("undone edits stay in the history", INTERSECTIONS + "FaceHistory.cxx",
-             "for (Index i = 0; !entry.IsUndone && i < entry.NumberOfFaces; ++i)", "for (Index i = 0; i < entry.NumberOfFaces; ++i)", REPLAY_TESTS),
-    of_draft("what only later faces are near is left out of the history", INTERSECTIONS + "SpaceTimeTree.h",
-             "static_cast<unsigned>(this->Made < other.Replaced)", "static_cast<unsigned>(this->Made < other.Made)", REPLAY_TESTS),
-    of_draft("an undone edit leaves the twins as they are", "Filters/Core/Edit/EditorDraft.cxx",
+    of_near("no limit near other parts", FOLDER + "ErrorLimits.cxx", "    if (isNear(distances[v]))\n",
+              "    if (isNear(distances[v]) && part < 0.0)\n"),
+    of_near("more than half of the way to another part", DRAFT, "LessThanHalf = 0.49;", "LessThanHalf = 1.5;"),
+    of_near("limits near other parts hold in the filter, not in the proof", DRAFT,
+              "*this->Bound, this->Drafted->Limits, this->Half, *this->Drafted->Journal, threads);",
+              "*this->Bound, this->Bound->Limits(), this->Half, *this->Drafted->Journal, threads);"),
+    of_near("other parts count only within the error", DRAFT, "ErrorsOfClearance = 2.01;", "ErrorsOfClearance = 0.6;"),
+    of_near("what is near another part moves where the mesh is smoothed", DRAFT, "isFirst ? LessThanHalf : 0.0",
+              "isFirst ? LessThanHalf : 3.0"),
+    of_near("a tube counts as a disk", CLEARANCE, "return this->Parts == 1 && this->Euler == 1;", "return this->Parts == 1;"),
+    of_near("another part counts as the same disk", CLEARANCE, "return this->Parts == 1 && this->Euler == 1;",
+              "return this->Euler == this->Parts;"),
+    of_near("triangles of another part that are left out are not there", CLEARANCE, "      limit = end->Distance;\n", ""),
+    of_near("what intersects in the state that is left is not looked at", STATE, "  if (Meet(piece, near, this->Written))\n",
+              "  if (face == other && Meet(piece, near, this->Written))\n"),
+    of_near("pairs of which one face has changed are not looked at", STATE, "(isChanged || this->Journal.IsChanged(other))",
+              "(isChanged && this->Journal.IsChanged(other))"),
+    of_near("what undone edits have restored is not looked at again", STATE,
+              "if (std::exchange(this->Looked[i], edit) != edit)",
+              "if (const Index was = std::exchange(this->Looked[i], edit); was != edit && was == None)"),
+    of_near("faces are looked for where they were at first", STATE,
+              "      this->Tree->Set(i, isThere ? boxOf(face) : FloatBox());\n", ""),
+    of_near("gaps of a draft are not checked", STATE, "return IsTooNear(this->Widths, piece, near, {}) &&",
+              "return face == other && IsTooNear(this->Widths, piece, near, {}) &&"),
+    of_near("a gap that the draft itself has narrowed allows a narrow one", STATE, "  if (later.Made == None)\n",
+              "  if (later.Made == None || left < MostSteps)\n"),
+    of_near("a wide gap of the input allows a narrow one", STATE, ".SquaredLength <= now &&", ".SquaredLength >= now &&"),
+    of_near("a merged vertex of a draft keeps its own gap", INTERSECTIONS + "GapPairs.cxx",
+              "widths.Of(keep).And(widths.Of(mesh.OriginalVertex(entry.Gone)))", "widths.Of(keep)"),
+    of_near("fragments of a draft may lose their volume", DRAFT, "isWrong[this->Fragments->ComponentOf(entry.Keep)] != 0",
+              "isTooSmall[this->Fragments->ComponentOf(entry.Keep)] > 1"),
+    of_near("a component may be swallowed", INTERSECTIONS + "Containment.cxx", "    if ((next - first) % 2 != 0)\n",
+            "    if (next == first)\n"),
+    of_near("what passes an edge of a holder is not looked at again", INTERSECTIONS + "Containment.cxx",
+            "isClear = isClear && result != RayResult::Unclear;", "isClear = isClear && true;"),
+    of_near("an edit may jump over something", INTERSECTIONS + "IntersectionGuard.cxx",
+              "!this->NarrowsGap(work) && !JumpOver(work.Old, work.New, work.Near);", "!this->NarrowsGap(work);"),
+    of_near("intersections are decided where the mesh has the vertices", INTERSECTIONS + "WrittenPositions.cxx",
+              "  if (this->Input == nullptr)\n", "  if (this->MostRounding < 1.0)\n"),
+    of_near("one intersection before allows any number", INTERSECTIONS + "Piece.cxx",
+              "count.All > allowed.All ||", "(count.All > 0 && allowed.All == 0) ||"),
+    of_near("pairs that touch may pierce each other", INTERSECTIONS + "Piece.cxx",
+              " || count.Piercing > allowed.Piercing;", ";"),
+    of_draft("an undone edit leaves the twins as they are", DRAFT,
              "    this->Half.RestoreTwins(face.Face, entry.Twins[side]);\n", ""),
-    of_draft("one intersection before allows any number", INTERSECTIONS + "Piece.cxx",
-             "count.All > allowed.All ||", "(count.All > 0 && allowed.All == 0) ||", REPLAY_TESTS),
-    of_draft("pairs that touch may pierce each other", INTERSECTIONS + "Piece.cxx",
-             " || count.Piercing > allowed.Piercing;", ";", REPLAY_TESTS),
-    of_draft("gaps of a draft are not checked", INTERSECTIONS + "GapPairs.cxx",
-             "if (IsTooNear(this->Widths, piece, near, {}) && !this->WasAsNear(own, version, left))", "if (left < 0)", REPLAY_TESTS),
-    of_draft("a gap that the draft itself has narrowed allows a narrow one", INTERSECTIONS + "GapPairs.cxx",
-             "  if (later.Made == None)\n", "  if (later.Made == None || left < MostSteps)\n", REPLAY_TESTS),
-    of_draft("a wide gap of the input allows a narrow one", INTERSECTIONS + "GapPairs.cxx", ".SquaredLength <= now &&",
-             ".SquaredLength >= now &&", REPLAY_TESTS),
-    of_draft("a merged vertex of a draft keeps its own gap", INTERSECTIONS + "GapPairs.cxx",
-             "widths.Of(keep).And(widths.Of(mesh.OriginalVertex(entry.Gone)))", "widths.Of(keep)", REPLAY_TESTS),
     of_draft("a layer is counted once too often", OVERLAY, "this->IsOdd = this->IsOdd != (std::abs(turns) == 3);",
              "this->IsOdd = this->IsOdd || std::abs(turns) == 3;", CERTIFICATE_TESTS),
     of_draft("a distance of the overlay is skipped", OVERLAY, "for (std::size_t i = 0; i < polygon.Count; ++i)\n  {\n    const Image& at",
@@ -279,6 +303,11 @@ MUTANTS = (
 )
 
 
+def attack_of(mutant: Mutant) -> str:
+    """The attack that looks for it."""
+    return mutant.kind if mutant.tests else "surfaces"
+
+
 def problems() -> list[str]:
     """Mutants whose text does not occur exactly once."""
     found = []
@@ -332,14 +361,10 @@ def run(words: list) -> tuple[bool, str]:
     return done.returncode != 0, said
 
 
-def attack(folder: pathlib.Path, runs: int, surfaces: list[pathlib.Path]) -> tuple[bool, str]:
-    """Whether the attack on surfaces found a violation, and its output."""
-    return run([folder / "build" / "bin" / "bonedecimate-attack", str(runs), "1", *surfaces])
-
-
-def attack_labels(folder: pathlib.Path, runs: int) -> tuple[bool, str]:
-    """The same of the attack on label maps."""
-    return run([folder / "build" / "bin" / "bonedecimate-attack", "--labels", str(runs), "1"])
+def attack(folder: pathlib.Path, kind: str, runs: int, surfaces: list[pathlib.Path]) -> tuple[bool, str]:
+    """Whether an attack found a violation, and its output."""
+    program = folder / "build" / "bin" / "bonedecimate-attack"
+    return run([program, str(runs), "1", *surfaces] if kind == "surfaces" else [program, f"--{kind}", str(runs), "1"])
 
 
 def unit_tests(folder: pathlib.Path, chosen: str) -> tuple[bool, str]:
@@ -358,9 +383,9 @@ def try_mutant(mutant: Mutant, folder: pathlib.Path, runs: int, surfaces: list[p
     file.write_text(right.replace(mutant.right, mutant.wrong), encoding="utf-8")
     build(folder)
     start = time.monotonic()
-    is_of_labels = mutant.tests and mutant.of_labels
-    found, said = attack_labels(folder, runs) if is_of_labels else attack(folder, runs, surfaces)
-    print(f"{'found' if found else 'NOT FOUND'} by the attack in {time.monotonic() - start:.1f} s: {mutant.name}: {said}",
+    kind = attack_of(mutant)
+    found, said = attack(folder, kind, runs, surfaces)
+    print(f"{'found' if found else 'NOT FOUND'} by the attack on {kind} in {time.monotonic() - start:.1f} s: {mutant.name}: {said}",
           flush=True)
     if mutant.tests:
         failed, said = unit_tests(folder, mutant.tests)
@@ -386,12 +411,12 @@ def main() -> int:
     copy_source(arguments.folder)
     configure(arguments.folder)
     build(arguments.folder)
-    broken, said = attack(arguments.folder, arguments.runs, arguments.surfaces)
-    broken_labels, said_of_labels = attack_labels(arguments.folder, arguments.runs)
-    print(f"without a bug: {said}\n{said_of_labels}", flush=True)
+    kinds = sorted({attack_of(mutant) for mutant in chosen})
+    rights = [attack(arguments.folder, kind, arguments.runs, arguments.surfaces) for kind in kinds]
+    print("without a bug:", *(said for _, said in rights), sep="\n", flush=True)
     results = [try_mutant(mutant, arguments.folder, arguments.runs, arguments.surfaces) for mutant in chosen]
     print(f"{sum(results)} of {len(results)} found")
-    return 1 if broken or broken_labels or not all(results) else 0
+    return 1 if any(broken for broken, _ in rights) or not all(results) else 0
 
 
 if __name__ == "__main__":

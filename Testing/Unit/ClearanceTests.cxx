@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // How near a surface comes to itself: against the thickness and the gaps of shapes that are known, and distances by brute force.
+#include "Certificate/Certificate.h"
 #include "Crossings.h"
+#include "GuardedEditor.h"
 #include "Intersections/Clearance.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/Statistics.h"
+#include "Runs.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -141,5 +144,37 @@ TEST(Clearance, IsNotAboveTheDistanceOfNeedles)
     {
       EXPECT_LT(distance, 1e-5) << height;
     }
+  }
+}
+
+TEST(Clearance, ADraftMovesLessThanHalfOfThem)
+{
+  const double error = 1.0;
+  for (const Surface& input : { NearSpheres(3, 0.3), Plate(0.5), Scaled(Torus(60, 12), 0.1) })
+  {
+    const CleanSurface clean = Clean(input, true);
+    Editor editor(clean, Guarded(error));
+    ASSERT_TRUE(editor.BeginDraft(1));
+    for (const Index h : HalfEdges(editor.Mesh(), 1))
+    {
+      const HalfEdgeId edge = h;
+      const HalfEdgeMesh& mesh = editor.Mesh();
+      if (mesh.IsAlive(HalfEdgeMesh::Face(edge)) && editor.Validate(edge).IsAccepted())
+      {
+        const VertexId from = mesh.Origin(edge);
+        editor.Collapse(
+          { edge, from, 0.5 * (mesh.Position(from) + mesh.Position(mesh.Target(edge))), false });
+      }
+    }
+    ASSERT_TRUE(editor.EndDraft(1, [](double) { return true; }));
+    EXPECT_GT(editor.NumberOfCollapses(), 20);
+    CertificateOptions options;
+    options.Tolerance = error;
+    for (const double distance : DistancesOf(clean.Surface, 2.0 * error))
+    {
+      options.ToleranceMap.push_back(std::min(error, 0.5 * distance));
+    }
+    const Surface result = SurfaceOf(editor.Mesh());
+    EXPECT_EQ(Certify(clean.Surface, result, options).Proof, ProofStatus::Proved);
   }
 }

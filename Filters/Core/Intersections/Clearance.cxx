@@ -3,6 +3,7 @@
 #include "Clearance.h"
 
 #include "BoxTree.h"
+#include "FaceGrid.h"
 #include "Parallel.h"
 #include "WorkspacePool.h"
 
