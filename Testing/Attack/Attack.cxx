@@ -14,8 +14,8 @@
  */
 #include "AttackChecks.h"
 #include "LabelAttack.h"
-#include "Shapes.h"
 #include "NearAttack.h"
+#include "Shapes.h"
 #include "TriangleFile.h"
 #include "Victims.h"
 
