@@ -13,10 +13,10 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-std::vector<std::vector<Index>> HoldersOf(const Surface& surface)
+std::vector<std::vector<Index>> EnclosingOf(const Surface& surface)
 {
   const Components components = FindComponents(surface);
-  return FindHolders(
+  return FindEnclosing(
     HalfEdgeMesh(surface), components.Count,
     [&](VertexId v) { return components.OfPoint[static_cast<std::size_t>(v)]; }, nullptr, 1);
 }
@@ -28,21 +28,21 @@ TEST(Containment, NestedComponentsAreHeldByAllThatAreAroundThem)
 {
   const Surface balls =
     Together(Together(Icosphere(2, 10.0), TurnedInsideOut(Icosphere(2, 8.0))), Icosphere(1, 1.0));
-  EXPECT_EQ(HoldersOf(balls), (Lists{ {}, { 0 }, { 0, 1 } }));
+  EXPECT_EQ(EnclosingOf(balls), (Lists{ {}, { 0 }, { 0, 1 } }));
 }
 
 TEST(Containment, ComponentsBesideEachOtherAreHeldByNone)
 {
   const Surface cubes = Together(Cube(4), Moved(Cube(4), Vector3(1.5, 0.0, 0.0)));
-  EXPECT_EQ(HoldersOf(cubes), (Lists{ {}, {} }));
-  EXPECT_EQ(HoldersOf(Cube(4)), (Lists{ {} }));
+  EXPECT_EQ(EnclosingOf(cubes), (Lists{ {}, {} }));
+  EXPECT_EQ(EnclosingOf(Cube(4)), (Lists{ {} }));
 }
 
 TEST(Containment, RaysAlongEdgesDecideToo)
 {
   // The inner cube's vertices lie in planes of edges of the outer one.
   const Surface inner = Moved(Scaled(Cube(2), 0.5), Vector3(0.25, 0.25, 0.25));
-  EXPECT_EQ(HoldersOf(Together(inner, Cube(4))), (Lists{ { 1 }, {} }));
+  EXPECT_EQ(EnclosingOf(Together(inner, Cube(4))), (Lists{ { 1 }, {} }));
 }
 
 TEST(Containment, ATinyComponentBelowATipIsOnItsSide)
@@ -51,6 +51,6 @@ TEST(Containment, ATinyComponentBelowATipIsOnItsSide)
   const Vector3 top = tip.Points[0];
   tip.Points[0] *= 1.5;
   const Surface speck = Scaled(Tetrahedron(), 0.01);
-  EXPECT_EQ(HoldersOf(Together(tip, Moved(speck, 1.3 * top))), (Lists{ {}, { 0 } }));
-  EXPECT_EQ(HoldersOf(Together(tip, Moved(speck, 1.6 * top))), (Lists{ {}, {} }));
+  EXPECT_EQ(EnclosingOf(Together(tip, Moved(speck, 1.3 * top))), (Lists{ {}, { 0 } }));
+  EXPECT_EQ(EnclosingOf(Together(tip, Moved(speck, 1.6 * top))), (Lists{ {}, {} }));
 }

@@ -68,6 +68,7 @@ OverlayCover::OverlayCover(const Simplices& surface)
 OverlayCover::Bound OverlayCover::Find(const Corners& triangle, Index seed)
 {
   Bound bound;
+  this->Visited.clear();
   if (!this->Begin(triangle))
   {
     return bound;

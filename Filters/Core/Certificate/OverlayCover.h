@@ -50,7 +50,7 @@ public:
 
   /// @param seed A triangle of the surface whose image meets T. With another one there is no bound.
   Bound Find(const Corners& triangle, Index seed);
-  /// The triangles that the last search met, the seed first.
+  /// The triangles that the last search met, the seed first; none if its triangle was a needle.
   const std::vector<Index>& Met() const { return this->Visited; }
 
 private:

@@ -4,7 +4,7 @@
  * @file Draft.h
  * @brief Collapses that are tested cheaply while they are made, and proved together: what an Editor keeps for them.
  *
- *     BeginDraft:   DraftFilter in place of the error bound and the intersection guard, and a journal; limits by the clearance
+ *     BeginDraft:   DraftFilter in place of the error bound and the intersection guard, and a journal; limits by the separation
  *     edits
  *     EndDraft:     until nothing is rejected:
  *                       every face and every original is proved, with these limits       (BulkProof)
@@ -45,10 +45,10 @@ struct Draft
   }
 
   std::shared_ptr<EditJournal> Journal;
-  ErrorLimits Limits;                      ///< Of the bound, and less than half of the clearance.
-  std::vector<std::vector<Index>> Holders; ///< Of each component, at first, if there is a guard.
-  std::optional<StateCheck> State;         ///< If there is a guard.
-  std::vector<std::uint8_t> Failures;      ///< Of each vertex, edits that were rejected.
+  ErrorLimits Limits; ///< Of the bound, and less than half of the separation.
+  std::vector<std::vector<Index>> Enclosing; ///< Of each component, at first, if there is a guard.
+  std::optional<StateCheck> State;           ///< If there is a guard.
+  std::vector<std::uint8_t> Failures;        ///< Of each vertex, edits that were rejected.
   std::vector<std::shared_ptr<EditFilter>>
     ExactFilters; ///< Of the editor, while the draft has its own.
   std::array<std::int64_t, NumberOfRejections>

@@ -231,7 +231,7 @@ private:
   };
   void ForgetPending();
   std::vector<Index> FindRejectedEdits(BulkProof& proof, int threads);
-  std::vector<std::vector<Index>> FindHolders(const BoundingTree* tree, int threads) const;
+  std::vector<std::vector<Index>> FindEnclosing(const BoundingTree* tree, int threads) const;
   std::vector<char> FindWrongComponents(int threads) const;
   ErrorLimits LimitsOfDraft(bool isFirst, int threads) const;
   void Undo(const std::vector<Index>& edits);

@@ -5,9 +5,9 @@
 #include "Editor.h"
 #include "ErrorBound/BulkProof.h"
 #include "ErrorBound/DraftFilter.h"
-#include "Intersections/Clearance.h"
 #include "Intersections/Containment.h"
 #include "Intersections/IntersectionGuard.h"
+#include "Intersections/Separation.h"
 
 #include <algorithm>
 #include <functional>
@@ -22,10 +22,10 @@ constexpr int FailuresWithoutMore = 4;
 constexpr int MostFailures = 100; // that are counted
 /// After so many turns the draft is undone as a whole.
 constexpr int MostTurns = 120;
-/// Of the clearance: how far the draft may move, so that two parts that both do cannot meet.
+/// Of the separation: how far the draft may move, so that two parts that both do cannot meet.
 constexpr double LessThanHalf = 0.49;
 /// Largest errors within which other parts are looked for: both may move by one, and a hundredth is for rounding.
-constexpr double ErrorsOfClearance = 2.01;
+constexpr double ErrorsOfSeparation = 2.01;
 
 /// Whether nothing has been edited.
 bool IsAsAtFirst(const HalfEdgeMesh& first, const HalfEdgeMesh& now)
@@ -56,8 +56,8 @@ bool Editor::BeginDraft(int threads)
   if (this->Guard)
   {
     this->Drafted->State.emplace(this->Guard->CheckOf(*this->Drafted->Journal));
-    this->Drafted->Holders =
-      this->FindHolders(isFirst ? &this->BoundedTree(threads) : nullptr, threads);
+    this->Drafted->Enclosing =
+      this->FindEnclosing(isFirst ? &this->BoundedTree(threads) : nullptr, threads);
   }
   this->Drafted->ExactFilters = this->Filters;
   this->Drafted->Rejections = this->RejectionCounts;
@@ -91,7 +91,7 @@ ErrorLimits Editor::LimitsOfDraft(bool isFirst, int threads) const
   ErrorLimits limits = this->Bound->Limits();
   if (this->Guard)
   {
-    limits.Reduce(Clearances(this->BoundedMesh(), ErrorsOfClearance * limits.Most(), threads),
+    limits.Reduce(Separations(this->BoundedMesh(), ErrorsOfSeparation * limits.Most(), threads),
       isFirst ? LessThanHalf : 0.0);
   }
   return limits;
@@ -161,9 +161,9 @@ std::vector<Index> Editor::FindRejectedEdits(BulkProof& proof, int threads)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::vector<Index>> Editor::FindHolders(const BoundingTree* tree, int threads) const
+std::vector<std::vector<Index>> Editor::FindEnclosing(const BoundingTree* tree, int threads) const
 {
-  return bonedecimate::FindHolders(
+  return bonedecimate::FindEnclosing(
     this->Half, this->Fragments->Count(),
     [this](VertexId v) { return this->Fragments->ComponentOf(v); }, tree, threads);
 }
@@ -175,8 +175,8 @@ std::vector<char> Editor::FindWrongComponents(int threads) const
   std::vector<char> isWrong = this->Fragments->FindTooSmall(this->Half);
   if (this->Guard)
   {
-    const std::vector<std::vector<Index>>& before = this->Drafted->Holders;
-    const std::vector<std::vector<Index>> now = this->FindHolders(nullptr, threads);
+    const std::vector<std::vector<Index>>& before = this->Drafted->Enclosing;
+    const std::vector<std::vector<Index>> now = this->FindEnclosing(nullptr, threads);
     for (std::size_t i = 0; i < now.size(); ++i)
     {
       std::vector<Index> changed;

@@ -34,7 +34,7 @@ struct DraftFilter::Pending : public EditFilter::Pending
   CommonFaceProof Distances;
   std::vector<Held> Moved;
   Index Nearest = None;   // to the new vertex
-  bool IsLimited = false; // more than elsewhere
+  bool IsLimited = false; // to much less than the bound
 };
 
 DraftFilter::DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
@@ -217,7 +217,7 @@ bool DraftFilter::NewFacesAreNear(const ProposedEdit& edit, Pending& work) const
 }
 
 //------------------------------------------------------------------------------
-/// Where the clearance is small, limits change from triangle to triangle, and few points say little.
+/// Where the separation is small, limits change from triangle to triangle, and few points say little.
 bool DraftFilter::FacesAreProved(
   const SurfaceChange& change, const WalkedSurface& original, Index nearest) const
 {

@@ -47,10 +47,10 @@ std::vector<Index> OddOnes(std::vector<Index> components)
 }
 
 /// Searches among the faces of a mesh.
-class HolderSearch
+class EnclosingSearch
 {
 public:
-  HolderSearch(const HalfEdgeMesh& mesh, const std::function<Index(VertexId)>& componentOf,
+  EnclosingSearch(const HalfEdgeMesh& mesh, const std::function<Index(VertexId)>& componentOf,
     const BoundingTree* tree, int threads)
     : Mesh(mesh)
     , ComponentOf(componentOf)
@@ -111,17 +111,17 @@ double LengthOf(const HalfEdgeMesh& mesh)
 }
 }
 
-std::vector<std::vector<Index>> FindHolders(const HalfEdgeMesh& mesh, Index components,
+std::vector<std::vector<Index>> FindEnclosing(const HalfEdgeMesh& mesh, Index components,
   const std::function<Index(VertexId)>& componentOf, const BoundingTree* tree, int threads)
 {
-  std::vector<std::vector<Index>> holders(static_cast<std::size_t>(components));
+  std::vector<std::vector<Index>> enclosing(static_cast<std::size_t>(components));
   if (components < 2)
   {
-    return holders;
+    return enclosing;
   }
-  const HolderSearch search(mesh, componentOf, tree, threads);
+  const EnclosingSearch search(mesh, componentOf, tree, threads);
   const double length = LengthOf(mesh);
-  std::vector<char> isFound(holders.size(), 0);
+  std::vector<char> isFound(enclosing.size(), 0);
   for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
     const VertexId vertex = mesh.IsAlive(face) ? mesh.Corners(face)[0] : None;
@@ -136,11 +136,11 @@ std::vector<std::vector<Index>> FindHolders(const HalfEdgeMesh& mesh, Index comp
     {
       if (const auto found = search.Along(vertex, direction.normalized(), length))
       {
-        holders[componentOf(vertex)] = *found;
+        enclosing[componentOf(vertex)] = *found;
         break;
       }
     }
   }
-  return holders;
+  return enclosing;
 }
 }

@@ -20,7 +20,7 @@ namespace bonedecimate
 {
 /// Of each component those that its ray leaves an odd number of times, in ascending order: closed ones hold it.
 /// @param componentOf Of a vertex.  @param tree Of the faces of the mesh by their ids; null: one is made.
-std::vector<std::vector<Index>> FindHolders(const HalfEdgeMesh& mesh, Index components,
+std::vector<std::vector<Index>> FindEnclosing(const HalfEdgeMesh& mesh, Index components,
   const std::function<Index(VertexId)>& componentOf, const BoundingTree* tree, int threads);
 }
 

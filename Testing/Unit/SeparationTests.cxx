@@ -4,7 +4,7 @@
 #include "Certificate/Certificate.h"
 #include "Crossings.h"
 #include "GuardedEditor.h"
-#include "Intersections/Clearance.h"
+#include "Intersections/Separation.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/Statistics.h"
 #include "Runs.h"
@@ -43,11 +43,11 @@ double EndAlong(int axis, const Surface& surface, bool isMost)
 
 std::vector<double> DistancesOf(const Surface& surface, double limit, int threads = 1)
 {
-  return Clearances(HalfEdgeMesh(surface), limit, threads);
+  return Separations(HalfEdgeMesh(surface), limit, threads);
 }
 }
 
-TEST(Clearance, AreTheThicknessOfAPlateAwayFromItsRim)
+TEST(Separation, AreTheThicknessOfAPlateAwayFromItsRim)
 {
   const double height = 0.5;
   const Surface plate = Plate(height);
@@ -69,7 +69,7 @@ TEST(Clearance, AreTheThicknessOfAPlateAwayFromItsRim)
   EXPECT_GT(found, 20);
 }
 
-TEST(Clearance, AreNotAboveTheDistanceToAnotherComponent)
+TEST(Separation, AreNotAboveTheDistanceToAnotherComponent)
 {
   const Surface spheres = NearSpheres(3, 0.3);
   const std::vector<double> distances = DistancesOf(spheres, 1.0);
@@ -81,7 +81,7 @@ TEST(Clearance, AreNotAboveTheDistanceToAnotherComponent)
   EXPECT_GT(least, 0.9 * gap);
 }
 
-TEST(Clearance, AreInfiniteWhereTheSurfaceIsOneDiskWithinTheLimit)
+TEST(Separation, AreInfiniteWhereTheSurfaceIsOneDiskWithinTheLimit)
 {
   for (const Surface& surface : { Icosphere(4, 10.0), HeightField(20, 0.05, 3) })
   {
@@ -91,7 +91,7 @@ TEST(Clearance, AreInfiniteWhereTheSurfaceIsOneDiskWithinTheLimit)
   }
 }
 
-TEST(Clearance, AreFiniteAroundATube)
+TEST(Separation, AreFiniteAroundATube)
 {
   // No ball about a point of a thin ring holds one disk if it holds a section of the ring.
   const Surface ring = Torus(48, 8);
@@ -102,7 +102,7 @@ TEST(Clearance, AreFiniteAroundATube)
   }
 }
 
-TEST(Clearance, AreZeroWhereTrianglesIntersect)
+TEST(Separation, AreZeroWhereTrianglesIntersect)
 {
   const Surface ball = Icosphere(2, 10.0);
   const Surface both = Together(ball, Moved(ball, Vector3(15.0, 0.3, 0.2)));
@@ -124,13 +124,13 @@ TEST(Clearance, AreZeroWhereTrianglesIntersect)
   EXPECT_GT(crossing, 5);
 }
 
-TEST(Clearance, DoNotDependOnTheThreads)
+TEST(Separation, DoNotDependOnTheThreads)
 {
   const Surface surface = BumpySphere(4, 3.0, 0.2, 7);
   EXPECT_EQ(DistancesOf(surface, 1.0, 1), DistancesOf(surface, 1.0, 3));
 }
 
-TEST(Clearance, IsNotAboveTheDistanceOfNeedles)
+TEST(Separation, IsNotAboveTheDistanceOfNeedles)
 {
   // A needle so thin that its normal is rounding, and a triangle that touches it.
   for (const double height : { 1e-6, 1e-10, 1e-13, 1e-15 })
@@ -147,7 +147,7 @@ TEST(Clearance, IsNotAboveTheDistanceOfNeedles)
   }
 }
 
-TEST(Clearance, ADraftMovesLessThanHalfOfThem)
+TEST(Separation, ADraftMovesLessThanHalfOfThem)
 {
   const double error = 1.0;
   for (const Surface& input : { NearSpheres(3, 0.3), Plate(0.5), Scaled(Torus(60, 12), 0.1) })

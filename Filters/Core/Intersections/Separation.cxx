@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Clearance.h"
+#include "Separation.h"
 
 #include "BoxTree.h"
 #include "FaceGrid.h"
@@ -124,7 +124,7 @@ public:
   {
   }
 
-  /// Measures those of a range whose clearance is below the limit. Ranges are halved until they are one disk with what is
+  /// Measures those of a range whose separation is below the limit. Ranges are halved until they are one disk with what is
   /// near.
   /// @param near What may be near; null: anything.
   void Measure(Index first, Index last, const std::vector<Boxed>* near, GrowingPatch& patch,
@@ -267,7 +267,7 @@ private:
 };
 }
 
-std::vector<double> Clearances(const HalfEdgeMesh& mesh, double limit, int threads)
+std::vector<double> Separations(const HalfEdgeMesh& mesh, double limit, int threads)
 {
   const NearTriangles triangles(mesh, limit, threads);
   std::vector<double> ofFaces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), Infinity);
