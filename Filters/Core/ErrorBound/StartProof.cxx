@@ -114,11 +114,9 @@ std::vector<Index> BulkProof::CoverFirst(
   this->Originals.FindNear(originals, current, this->Threads);
   this->ProveOriginals(originals);
   this->WriteCoverage();
-  std::vector<Index> left;
-  for (const Failure& failure : this->Failures)
-  {
-    left.push_back(failure.Original);
-  }
+  std::vector<Index> left(this->Failures.size());
+  std::transform(this->Failures.begin(), this->Failures.end(), left.begin(),
+    [](const Failure& failure) { return failure.Original; });
   return left;
 }
 
