@@ -24,14 +24,14 @@ std::vector<std::vector<Index>> EnclosingOf(const Surface& surface)
 using Lists = std::vector<std::vector<Index>>;
 }
 
-TEST(Containment, NestedComponentsAreHeldByAllThatAreAroundThem)
+TEST(Containment, NestedComponentsAreEnclosedByAllThatAreAroundThem)
 {
   const Surface balls =
     Together(Together(Icosphere(2, 10.0), TurnedInsideOut(Icosphere(2, 8.0))), Icosphere(1, 1.0));
   EXPECT_EQ(EnclosingOf(balls), (Lists{ {}, { 0 }, { 0, 1 } }));
 }
 
-TEST(Containment, ComponentsBesideEachOtherAreHeldByNone)
+TEST(Containment, ComponentsBesideEachOtherAreEnclosedByNone)
 {
   const Surface cubes = Together(Cube(4), Moved(Cube(4), Vector3(1.5, 0.0, 0.0)));
   EXPECT_EQ(EnclosingOf(cubes), (Lists{ {}, {} }));
