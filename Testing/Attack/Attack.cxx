@@ -103,26 +103,22 @@ std::string WhatBroke(const Attack& attack, Totals& totals)
 {
   const Result result = Decimate(attack.Victim, attack.Requested, {},
     { false, false, attack.Tolerances.empty() ? nullptr : &attack.Tolerances });
-  ++totals.Runs;
-  if (result.Report.Status != InputStatus::Good)
+  const std::optional<CleanSurface> cleaned = CountRun(attack.Victim, result, totals);
+  if (!cleaned)
   {
-    ++totals.Rejected;
     return {};
   }
-  const CleanSurface cleaned = Cleaned(attack.Victim);
-  totals.TrianglesIn += static_cast<std::int64_t>(cleaned.Surface.Triangles.size());
-  totals.TrianglesOut += static_cast<std::int64_t>(result.Surface.Triangles.size());
-  const std::string lost = WhatTopologyLost(cleaned.Surface, result.Surface);
-  const std::string read = WhatTopologyLost(cleaned.Surface, AsRead(result.Surface));
+  const std::string lost = WhatTopologyLost(cleaned->Surface, result.Surface);
+  const std::string read = WhatTopologyLost(cleaned->Surface, AsRead(result.Surface));
   std::string broke = !lost.empty() ? lost : read;
   broke =
-    broke.empty() ? WhatBoundBroke(attack, cleaned, result.Surface, totals) : std::move(broke);
+    broke.empty() ? WhatBoundBroke(attack, *cleaned, result.Surface, totals) : std::move(broke);
   if (broke.empty() && !IsMovedByWriting(attack))
   {
-    broke = WhatPierces(attack, cleaned.Surface, result.Surface);
+    broke = WhatPierces(attack, cleaned->Surface, result.Surface);
     const bool isSmoothed = attack.Requested.Smoothing > 0.0; // that moves all points at once
-    broke =
-      broke.empty() && !isSmoothed ? WhatJumped(cleaned.Surface, result.Surface) : std::move(broke);
+    broke = broke.empty() && !isSmoothed ? WhatJumped(cleaned->Surface, result.Surface)
+                                         : std::move(broke);
   }
   return broke;
 }

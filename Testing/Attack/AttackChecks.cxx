@@ -86,6 +86,21 @@ double WindingNumber(const Surface& closed, const Vector3& p)
 }
 
 //------------------------------------------------------------------------------
+std::optional<CleanSurface> CountRun(const Surface& victim, const Result& result, Totals& totals)
+{
+  ++totals.Runs;
+  if (result.Report.Status != InputStatus::Good)
+  {
+    ++totals.Rejected;
+    return std::nullopt;
+  }
+  CleanSurface cleaned = Cleaned(victim);
+  totals.TrianglesIn += static_cast<std::int64_t>(cleaned.Surface.Triangles.size());
+  totals.TrianglesOut += static_cast<std::int64_t>(result.Surface.Triangles.size());
+  return cleaned;
+}
+
+//------------------------------------------------------------------------------
 CleanSurface Cleaned(const Surface& input)
 {
   CleanSurface clean = Clean(input, true);

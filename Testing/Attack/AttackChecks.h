@@ -11,6 +11,7 @@
 #include "Mesh/Cleaning.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ struct Totals
   std::int64_t ComponentPairs = 0;
   std::int64_t Views = 0;
 };
+
+/// Counts a run. Its input after cleaning; none if it was rejected.
+std::optional<CleanSurface> CountRun(const Surface& victim, const Result& result, Totals& totals);
 
 /// The input of the decimation after cleaning: equal points merged, triangles without area dropped.
 CleanSurface Cleaned(const Surface& input);

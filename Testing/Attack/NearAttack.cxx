@@ -275,18 +275,14 @@ std::string AttackNear(std::uint64_t seed, Totals& totals)
   inputs.WantsOrigins = true;
   inputs.Tolerances = attack.Tolerances.empty() ? nullptr : &attack.Tolerances;
   const Result result = Decimate(attack.Victim, attack.Requested, {}, inputs);
-  ++totals.Runs;
-  if (result.Report.Status != InputStatus::Good)
+  const std::optional<CleanSurface> cleaned = CountRun(attack.Victim, result, totals);
+  if (!cleaned)
   {
-    ++totals.Rejected;
     return {};
   }
-  const CleanSurface cleaned = Cleaned(attack.Victim);
-  totals.TrianglesIn += static_cast<std::int64_t>(cleaned.Surface.Triangles.size());
-  totals.TrianglesOut += static_cast<std::int64_t>(result.Surface.Triangles.size());
-  std::string broke = WhatTopologyLost(cleaned.Surface, result.Surface);
+  std::string broke = WhatTopologyLost(cleaned->Surface, result.Surface);
   broke = broke.empty() ? WhatPassed(victim, attack, inputs, result, totals) : broke;
-  broke = broke.empty() ? WhatBoundBroke(attack, cleaned, result.Surface, totals) : broke;
+  broke = broke.empty() ? WhatBoundBroke(attack, *cleaned, result.Surface, totals) : broke;
   return broke.empty() ? broke : broke + " (" + Described(attack) + ")";
 }
 }

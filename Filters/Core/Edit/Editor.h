@@ -253,7 +253,7 @@ private:
   std::shared_ptr<ErrorBound> Bound;
   std::shared_ptr<IntersectionGuard> Guard;
   bool GuardsVoxels = false;
-  bool KnowsAround; // the original within two errors of what is edited
+  bool KnowsAround; // whether the original is known within two errors of what is edited
   std::shared_ptr<EditRecorder> Recorder;
   std::vector<std::shared_ptr<EditFilter>> Filters; // in order
   bool NeedsSurfaceChange = false;                  // whether any filter does

@@ -18,7 +18,7 @@ namespace
 constexpr double RatioOfLimit = 0.8;
 /// Of a sample's limit: with a smaller accumulated error new faces are hardly ever too far away.
 constexpr double SmallAccumulatedError = 0.3;
-/// Of the largest limit: where limits are smaller, they change from triangle to triangle.
+/// Of the largest limit: where limits are smaller, they change from triangle to triangle, and each new face is proved.
 constexpr double MuchLess = 0.5;
 /// Of the mean edge of the original: with smaller limits, errors within an edge count.
 constexpr double LimitForEdges = 0.3;

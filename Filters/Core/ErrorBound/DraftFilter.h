@@ -32,7 +32,7 @@ public:
   DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
     const std::vector<Index>& current, int threads);
 
-  /// Faces that are not within the limits keep as they are: for a mesh that is not the original.
+  /// Faces that are not within the limits now stay as they are: for a mesh that is not the original.
   void KeepUnproved(const HalfEdgeMesh& mesh, int threads);
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;

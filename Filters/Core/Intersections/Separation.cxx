@@ -3,7 +3,6 @@
 #include "Separation.h"
 
 #include "BoxTree.h"
-#include "FaceGrid.h"
 #include "Parallel.h"
 #include "WorkspacePool.h"
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StateCheck.h"
 
-#include "FaceGrid.h"
 #include "GapPairs.h"
 #include "Parallel.h"
 

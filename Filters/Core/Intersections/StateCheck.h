@@ -10,7 +10,7 @@
  *     undo:  the later edit of both
  *
  * After the first call only faces that have changed since the last one are looked at, and what is near them: nothing else has changed
- * pairs. What two parts that pass each other look like at their end is no concern of this check: Separation.h.
+ * pairs. It does not see whether parts have passed each other: Separation.h.
  */
 #ifndef BoneDecimate_Core_Intersections_StateCheck_h
 #define BoneDecimate_Core_Intersections_StateCheck_h
