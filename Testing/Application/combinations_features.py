@@ -349,6 +349,7 @@ FEATURES = [
     switch("voxels may change", "--keep-voxels", "Off", "KeepVoxels"),
     Feature("preset", ("--preset", "HalfVoxel", "--voxel-size", 2 * ERROR), moves_at_most, goal=True),
     Feature("no intersection guard", ("--max-error", ERROR, "--intersection-guard", "off"), shows("options.IntersectionGuard", "off"), goal=True),
+    Feature("each edit proved", ("--max-error", ERROR, "--prove-each-edit", "on"), shows("options.ProveEachEdit", "on"), goal=True),
     Feature("less effort", ("--max-error", ERROR, "--refinement-effort", 0.25), shows("options.RefinementEffort", "0.25"), goal=True),
     Feature("least angle", ("--max-error", ERROR, "--min-angle", 20), has_angles, ("MinimumAngle",), goal=True),
     Feature("edge length", ("--max-error", ERROR, "--edge-length", 10), has_edges, ("EdgeLength",), goal=True),

@@ -220,6 +220,7 @@ def allowed_with_effects():
         "MaximumError": (error, proved(0.1)),
         "AllowLargeError": ({"MaximumError": 40.0, "AllowLargeError": 1}, proved(40.0)),
         "IntersectionGuard": ({**error, "IntersectionGuard": 0}, proved(0.1)),
+        "ProveEachEdit": ({**error, "ProveEachEdit": 1}, reported("draft", "status", lambda status: status == "each_edit_is_proved")),
         "RefinementEffort": ({**error, "Mode": "Accurate", "RefinementEffort": 0.0}, reported("forced_collapses", "tried", lambda count: count == 0)),
         "MinimumAngle": ({**error, "MinimumAngle": 20.0}, proved(0.1)),
         "EdgeLength": ({"EdgeLength": 2.0}, entry("output.triangles", lambda faces: faces > 300)),  # a tenth would be 160

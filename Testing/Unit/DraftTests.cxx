@@ -236,6 +236,9 @@ TEST(Draft, IsReportedWithAReason)
   EXPECT_EQ(Decimate(input, Triangles(1000)).Report.Draft.Status, DraftStatus::NoBound);
   EXPECT_EQ(
     Decimate(input, InMode(Mode::Thesis, Error(0.1))).Report.Draft.Status, DraftStatus::NoBound);
+  Options careful = InMode(Mode::Fast, Error(0.1));
+  careful.ProveEachEdit = true;
+  EXPECT_EQ(Decimate(input, careful).Report.Draft.Status, DraftStatus::EachEditIsProved);
 }
 
 TEST(Draft, ReachesATargetWithinTheBound)

@@ -24,7 +24,7 @@ Names IneffectiveOf(const Options& options, const Names& given)
   return names;
 }
 
-const Names Errors = { "AllowLargeError", "IntersectionGuard", "ProveResult" };
+const Names Errors = { "AllowLargeError", "IntersectionGuard", "ProveEachEdit", "ProveResult" };
 }
 
 TEST(UnmetNeeds, AreNoneOfTheDefaults)
@@ -40,7 +40,7 @@ TEST(UnmetNeeds, OfTheErrorNeedOne)
   options.MaximumError = 0.5;
   EXPECT_TRUE(IneffectiveOf(options, Errors).empty());
   options.Mode = Mode::Thesis;
-  EXPECT_EQ(IneffectiveOf(options, Errors), (Names{ "IntersectionGuard", "ProveResult" }));
+  EXPECT_EQ(IneffectiveOf(options, Errors), (Names{ "IntersectionGuard", "ProveEachEdit", "ProveResult" }));
   options = {};
   options.ToleranceArrayName = "Tolerance";
   EXPECT_EQ(IneffectiveOf(options, Errors), Names{ "IntersectionGuard" });

@@ -159,6 +159,7 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   if (this->Bound)
   {
     this->DraftFound.Status = settings.RecordsEdits ? DraftStatus::EditsAreRecorded
+      : settings.Requested.ProveEachEdit            ? DraftStatus::EachEditIsProved
       : settings.MoreFilters.empty()                ? DraftStatus::NotUsed
                                                     : DraftStatus::MoreFilters;
   }

@@ -61,7 +61,7 @@ struct EditorSettings
   Neighborhood Neighbors = {};
   /// What edits leave, unless a triangle that they replace is worse.
   ShapeLimits Shape = {};
-  /// Those of the run, for Editor::AddFilters: a new filter finds the value of its option here. Nothing else reads them.
+  /// Those of the run, read only by Editor::AddFilters: a new filter finds the value of its option here.
   Options Requested = {};
   /// Run after the editor's own filters.
   std::vector<std::shared_ptr<EditFilter>> MoreFilters = {};

@@ -181,7 +181,7 @@ const char* StopReasonSentence(StopReason reason)
 const char* DraftStatusWord(DraftStatus status)
 {
   static const char* const words[] = { "no_bound", "not_used", "used", "undone",
-    "edits_are_recorded", "more_filters" };
+    "edits_are_recorded", "each_edit_is_proved", "more_filters" };
   return WordOf(words, status);
 }
 

@@ -276,6 +276,7 @@ enum class DraftStatus : int
   Used, ///< Collapses were drafted and proved together; those that could not be proved were undone.
   Undone,           ///< All drafted collapses were undone, and the run went on edit by edit.
   EditsAreRecorded, ///< Not possible, because every level of detail has to be proved.
+  EachEditIsProved, ///< Not wanted: Options::ProveEachEdit.
   MoreFilters       ///< Not possible with filters of the caller.
 };
 
