@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BatchTable.h"
 
+#include "Figures/BoundText.h"
 #include "NumberText.h"
 #include "PlainText.h"
-#include "Report/BoundText.h"
 
 #include <algorithm>
 #include <array>

@@ -4,13 +4,13 @@
 
 #include "CommonOptions.h"
 #include "ExitCode.h"
+#include "Figures/BoundText.h"
 #include "Formats/FileChecks.h"
 #include "Formats/GlbFiles.h"
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
 #include "NumberText.h"
 #include "Options/Text.h"
-#include "Report/BoundText.h"
 #include "SegmentOutput.h"
 
 #include "vtkDataArray.h"

@@ -3,12 +3,12 @@
 #include "FileRounding.h"
 
 #include "ExitCode.h"
+#include "Figures/BoundText.h"
 #include "FileNames.h"
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
 #include "Input/VoxelSize.h"
 #include "PointPosition.h"
-#include "Report/BoundText.h"
 #include "ReportFields.h"
 #include "ReportOfSurface.h"
 #include "Surface.h"

@@ -3,6 +3,7 @@
 #include "LevelsCommand.h"
 
 #include "CountText.h"
+#include "Figures/BoundText.h"
 #include "FileGrid.h"
 #include "FileNames.h"
 #include "FilePath.h"
@@ -16,7 +17,6 @@
 #include "NumberText.h"
 #include "Options/NumberRange.h"
 #include "Options/Options.h"
-#include "Report/BoundText.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"
 

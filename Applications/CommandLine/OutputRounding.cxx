@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputRounding.h"
 
+#include "Figures/BoundText.h"
 #include "FileGrid.h"
 #include "FileRounding.h"
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
-#include "Report/BoundText.h"
 #include "ReportFields.h"
 #include "SegmentOutput.h"
 

@@ -7,9 +7,9 @@
 #ifndef BoneDecimate_Applications_SegmentChoice_h
 #define BoneDecimate_Applications_SegmentChoice_h
 
+#include "Figures/LeftOut.h"
 #include "Labels/LabelTable.h"
 #include "NamedLabels.h"
-#include "Report/LeftOut.h"
 #include "SegmentArguments.h"
 #include "SegmentSelection.h"
 

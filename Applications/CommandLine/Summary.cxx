@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Summary.h"
 
+#include "Figures/BoundText.h"
 #include "NumberText.h"
 #include "PartSection.h"
 #include "PlainText.h"
-#include "Report/BoundText.h"
 #include "ReportFields.h"
 #include "VoxelSection.h"
 

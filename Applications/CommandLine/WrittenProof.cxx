@@ -3,9 +3,9 @@
 #include "WrittenProof.h"
 
 #include "ExitCode.h"
+#include "Figures/BoundText.h"
 #include "FileNames.h"
 #include "PointPosition.h"
-#include "Report/BoundText.h"
 
 #include "vtkBoneSurfaceDistance.h"
 #include "vtkCellArray.h"

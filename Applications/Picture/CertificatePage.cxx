@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CertificatePage.h"
 
+#include "Figures/BoundText.h"
 #include "NumberText.h"
 #include "Options/Text.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
 #include "PlainText.h"
-#include "Report/BoundText.h"
 #include "ReportFields.h"
 #include "VoxelSection.h"
 

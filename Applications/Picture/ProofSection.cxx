@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProofSection.h"
 
+#include "Figures/BoundText.h"
 #include "NumberText.h"
 #include "Options/Text.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
-#include "Report/BoundText.h"
 
 #include <optional>
 #include <utility>

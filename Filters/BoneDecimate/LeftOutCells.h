@@ -8,8 +8,8 @@
 #ifndef LeftOutCells_h
 #define LeftOutCells_h
 
+#include "Figures/LeftOut.h"
 #include "PolygonCells.h"
-#include "Report/LeftOut.h"
 
 #include <vector>
 

@@ -3,12 +3,12 @@
 #include "Decimate.h"
 
 #include "Cost/AutomaticTolerance.h"
+#include "Input/EdgeLengths.h"
 #include "Input/LabelMapInput.h"
 #include "Input/PartInput.h"
 #include "Input/PrepareInput.h"
 #include "Input/VoxelSize.h"
 #include "Mesh/Checksum.h"
-#include "Mesh/TriangleShapes.h"
 #include "Options/OptionTable.h"
 #include "Output/Evaluation.h"
 #include "Output/Extract.h"

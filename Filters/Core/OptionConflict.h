@@ -7,7 +7,9 @@
 #ifndef BoneDecimate_Core_OptionConflict_h
 #define BoneDecimate_Core_OptionConflict_h
 
-#include "Decimate.h"
+#include "Input/RunInputs.h"
+#include "Options/Options.h"
+#include "Output/Result.h"
 
 #include <string>
 

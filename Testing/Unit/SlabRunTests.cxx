@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Certificate/Certificate.h"
 #include "Crossings.h"
+#include "Decimate.h"
 #include "Mesh/Statistics.h"
 #include "SlabRuns.h"
 

@@ -9,6 +9,7 @@
 
 #include "BruteForce.h"
 #include "LabelShapes.h"
+#include "Options/Options.h"
 #include "Shapes.h"
 #include "Smoothing/Smoothing.h"
 

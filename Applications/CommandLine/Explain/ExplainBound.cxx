@@ -3,13 +3,13 @@
 #include "Explain/ExplainBound.h"
 
 #include "Explain/ExplainInput.h"
+#include "Figures/BoundText.h"
 #include "FilterOptions.h"
 #include "Input/SmoothingPlan.h"
 #include "Input/VoxelSize.h"
 #include "InputArguments.h"
 #include "NumberText.h"
 #include "OutputRounding.h"
-#include "Report/BoundText.h"
 #include "SurfaceConversion.h"
 
 #include "vtkBoneDecimate.h"

@@ -29,6 +29,7 @@
 #include "EditWorkspace.h"
 #include "EditorSettings.h"
 #include "ErrorBound/ErrorBound.h"
+#include "Figures/EditFigures.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/Edit.h"
 #include "Mesh/FaceAreas.h"
@@ -37,7 +38,6 @@
 #include "Mesh/PatchBoundaries.h"
 #include "Monitor.h"
 #include "Reference/Original.h"
-#include "Report/Report.h"
 #include "RingQuadrics.h"
 
 #include <array>

@@ -12,8 +12,8 @@
 #ifndef BoneDecimate_Core_Input_ComponentCensus_h
 #define BoneDecimate_Core_Input_ComponentCensus_h
 
+#include "Figures/InputFigures.h"
 #include "Mesh/Cleaning.h"
-#include "Report/Report.h"
 #include "Surface.h"
 
 #include <array>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeLengths.h"
 
+#include "Geometry/SmallestAngle.h"
 #include "Mesh/Curvature.h"
 #include "Tolerances.h"
 
@@ -86,5 +87,19 @@ std::shared_ptr<const SizingField> MakeSizingField(const CleanSurface& clean,
   }
   GradeLengths(clean.Surface, graph, Slope, lengths);
   return std::make_shared<SizingField>(clean.Surface, std::move(lengths), options.NumberOfThreads);
+}
+
+//------------------------------------------------------------------------------
+ShapeLimits ShapeLimitsOf(const Options& options, std::shared_ptr<const SizingField> local)
+{
+  constexpr double margin = 1e-3; // degrees
+  constexpr double sliver = 20.0; // degrees
+  ShapeLimits limits;
+  limits.EdgeLength = options.EffectiveEdgeLength();
+  limits.Local = std::move(local);
+  const double requested = options.EffectiveMinimumAngle();
+  const double angle = requested == 0.0 && limits.LimitsEdges() ? sliver : requested;
+  limits.LargestCosine = angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
+  return limits;
 }
 }

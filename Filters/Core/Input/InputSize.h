@@ -13,9 +13,10 @@
 #ifndef BoneDecimate_Core_Input_InputSize_h
 #define BoneDecimate_Core_Input_InputSize_h
 
+#include "Figures/InputFigures.h"
+#include "Figures/InputStatus.h"
 #include "Mesh/Cleaning.h"
 #include "Options/Options.h"
-#include "Report/Report.h"
 
 #include <string>
 #include <vector>

@@ -7,11 +7,12 @@
 #ifndef BoneDecimate_Core_Input_LabelMapInput_h
 #define BoneDecimate_Core_Input_LabelMapInput_h
 
+#include "Figures/InputFigures.h"
+#include "Figures/InputStatus.h"
 #include "LabelMap/VoxelCheck.h"
 #include "LabelMap/VoxelGrid.h"
 #include "Mesh/Cleaning.h"
 #include "Options/Options.h"
-#include "Report/Report.h"
 
 #include <vector>
 

@@ -48,10 +48,10 @@ std::vector<LabelArea> LabelAreas(
 }
 
 //------------------------------------------------------------------------------
-double LargestLabelChange(const Report& report)
+double LargestLabelChange(const std::vector<LabelArea>& labels)
 {
   double largest = 0.0;
-  for (const LabelArea& area : report.Labels)
+  for (const LabelArea& area : labels)
   {
     largest = std::max(largest, area.Change());
   }

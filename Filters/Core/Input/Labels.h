@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Input_Labels_h
 #define BoneDecimate_Core_Input_Labels_h
 
-#include "Report/Report.h"
+#include "Figures/InputFigures.h"
 #include "Surface.h"
 
 #include <string>
@@ -32,7 +32,7 @@ std::vector<LabelArea> LabelAreas(
   const CleanSurface& clean, const HalfEdgeMesh& mesh, const Labels& labels);
 
 /// The largest relative change of the area of a label; 0 without labels.
-double LargestLabelChange(const Report& report);
+double LargestLabelChange(const std::vector<LabelArea>& labels);
 }
 
 #endif

@@ -7,10 +7,11 @@
 #ifndef BoneDecimate_Core_Input_PartInput_h
 #define BoneDecimate_Core_Input_PartInput_h
 
-#include "Decimate.h"
 #include "Geometry/NearSurface.h"
 #include "Mesh/CutEdges.h"
+#include "Options/Options.h"
 #include "Reference/ReferenceMesh.h"
+#include "RunInputs.h"
 
 #include <memory>
 #include <optional>

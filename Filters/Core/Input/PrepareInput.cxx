@@ -60,8 +60,9 @@ ReferenceInput ReadReference(
 void PrepareErrors(RunTask& task, const Monitor& monitor, PreparedInput& prepared, Report& report)
 {
   const std::vector<double>* tolerances = task.Inputs.Tolerances;
-  report.Status =
-    CheckErrors(task.Input, prepared.Cleaned, tolerances, task.Rounding, task.Effective, report);
+  report.HasTolerances = tolerances != nullptr;
+  report.Status = CheckErrors(task.Input, prepared.Cleaned, tolerances, task.Rounding,
+    task.Effective, report.Cleaning, report.Size);
   if (report.Status == InputStatus::Good && tolerances != nullptr)
   {
     prepared.Tolerances.OfPoints = LimitedTolerances(*tolerances, report.Size.Diagonal);

@@ -18,13 +18,15 @@
 #ifndef BoneDecimate_Core_Input_PrepareInput_h
 #define BoneDecimate_Core_Input_PrepareInput_h
 
-#include "Decimate.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/PointRounding.h"
 #include "Mesh/SizingField.h"
+#include "Options/Options.h"
 #include "Reference/ReferenceMesh.h"
 #include "ReferenceInput.h"
+#include "Report/Report.h"
+#include "RunInputs.h"
 #include "RunProgress.h"
 #include "SmoothingPlan.h"
 

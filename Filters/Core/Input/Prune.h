@@ -11,9 +11,9 @@
 #ifndef BoneDecimate_Core_Input_Prune_h
 #define BoneDecimate_Core_Input_Prune_h
 
+#include "Figures/InputFigures.h"
 #include "Mesh/Cleaning.h"
 #include "Options/Options.h"
-#include "Report/Report.h"
 
 namespace bonedecimate
 {

@@ -18,10 +18,12 @@
 #ifndef BoneDecimate_Core_Input_ReferenceInput_h
 #define BoneDecimate_Core_Input_ReferenceInput_h
 
+#include "Figures/InputFigures.h"
+#include "Figures/InputStatus.h"
+#include "Figures/LeftOut.h"
 #include "Mesh/Cleaning.h"
 #include "Monitor.h"
 #include "Options/Options.h"
-#include "Report/Report.h"
 
 #include <vector>
 

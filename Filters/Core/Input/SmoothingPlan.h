@@ -15,9 +15,9 @@
 #ifndef BoneDecimate_Core_Input_SmoothingPlan_h
 #define BoneDecimate_Core_Input_SmoothingPlan_h
 
+#include "Figures/SmoothingFigures.h"
 #include "LabelMap/VoxelGrid.h"
 #include "Options/Options.h"
-#include "Report/Report.h"
 #include "Surface.h"
 
 #include <optional>

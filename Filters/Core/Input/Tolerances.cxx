@@ -58,29 +58,29 @@ InputStatus CheckRounding(const Surface& input, const CleanSurface& clean,
 
 //------------------------------------------------------------------------------
 InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
-  const std::vector<double>* given, const PointRounding& rounding, Options& options, Report& report)
+  const std::vector<double>* given, const PointRounding& rounding, Options& options,
+  CleaningStatistics& found, SizeFigures& size)
 {
   InputStatus status = InputStatus::Good;
-  report.HasTolerances = given != nullptr;
   if (given != nullptr)
   {
-    status = CheckTolerances(*given, input.Points.size(), options.ProvesError(), report.Cleaning);
+    status = CheckTolerances(*given, input.Points.size(), options.ProvesError(), found);
   }
   if (status != InputStatus::Good)
   {
     return status;
   }
-  report.Size = MeasureSize(clean, options, given);
+  size = MeasureSize(clean, options, given);
   if (rounding.HasGrid() || (rounding.ToSingle && options.ProvesError()))
   {
     const double error =
       options.BoundsError() ? options.MaximumError : std::numeric_limits<double>::infinity();
-    status = CheckRounding(input, clean, { error, given }, rounding, report.Cleaning);
+    status = CheckRounding(input, clean, { error, given }, rounding, found);
   }
-  status = status == InputStatus::Good ? CheckSize(report.Size, options) : status;
+  status = status == InputStatus::Good ? CheckSize(size, options) : status;
   if (options.ProvesError())
   {
-    options.MaximumError = std::min(options.MaximumError, report.Size.Diagonal);
+    options.MaximumError = std::min(options.MaximumError, size.Diagonal);
   }
   return status;
 }

@@ -13,10 +13,11 @@
 #ifndef BoneDecimate_Core_Input_Tolerances_h
 #define BoneDecimate_Core_Input_Tolerances_h
 
+#include "Figures/InputFigures.h"
+#include "Figures/InputStatus.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/PointRounding.h"
 #include "Options/Options.h"
-#include "Report/Report.h"
 
 #include <vector>
 
@@ -39,10 +40,10 @@ InputStatus CheckRounding(const Surface& input, const CleanSurface& clean,
   const ErrorsOfPoints& errors, const PointRounding& rounding, CleaningStatistics& found);
 
 /// Whether the tolerances (null: none) and the largest error are valid for the mode, the precision of the output and the
-/// size of the input (InputSize.h), which is reported. Lowers a largest error above the diagonal to the diagonal.
+/// size of the input (InputSize.h). Lowers a largest error above the diagonal to the diagonal.
 InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
   const std::vector<double>* given, const PointRounding& rounding, Options& options,
-  Report& report);
+  CleaningStatistics& found, SizeFigures& size);
 
 /// The tolerances, mm, capped by the limit.
 std::vector<double> LimitedTolerances(std::vector<double> given, double limit);

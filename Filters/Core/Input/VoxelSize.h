@@ -18,7 +18,8 @@
 #ifndef BoneDecimate_Core_Input_VoxelSize_h
 #define BoneDecimate_Core_Input_VoxelSize_h
 
-#include "Report/Report.h"
+#include "Figures/InputFigures.h"
+#include "Options/Options.h"
 #include "Surface.h"
 
 namespace bonedecimate

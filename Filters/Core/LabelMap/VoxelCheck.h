@@ -38,6 +38,15 @@ struct VoxelChanges
   std::vector<LabelChanges> OfLabel; ///< By index of the label.
 };
 
+/// The voxels of the label map: those of the result compared with those of the input.
+struct VoxelReport
+{
+  bool WereGuarded = false; ///< Whether edits that change one were rejected.
+  bool WasChecked = false;  ///< If false, what follows is meaningless.
+  VoxelChanges Changes;
+  std::vector<std::int64_t> Values; ///< Of the labels, by index; the background is the last.
+};
+
 struct VoxelCheckSettings
 {
   VoxelGrid Grid;

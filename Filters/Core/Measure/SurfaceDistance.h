@@ -11,9 +11,9 @@
 #ifndef BoneDecimate_Core_Measure_SurfaceDistance_h
 #define BoneDecimate_Core_Measure_SurfaceDistance_h
 
+#include "Figures/DistanceFigures.h"
 #include "Geometry/BoundingTree.h"
 #include "Monitor.h"
-#include "Report/Report.h"
 #include "Surface.h"
 
 #include <vector>

@@ -14,9 +14,9 @@
 #ifndef BoneDecimate_Core_Measure_Thickness_h
 #define BoneDecimate_Core_Measure_Thickness_h
 
+#include "Figures/PartFigures.h"
 #include "Geometry/BoundingTree.h"
 #include "Mesh/SurfaceParts.h"
-#include "Report/Report.h"
 #include "Surface.h"
 
 #include <vector>

@@ -14,8 +14,9 @@
 #ifndef BoneDecimate_Core_Mesh_Cleaning_h
 #define BoneDecimate_Core_Mesh_Cleaning_h
 
+#include "Figures/InputFigures.h"
+#include "Figures/InputStatus.h"
 #include "HalfEdgeMesh.h"
-#include "Report/Report.h"
 #include "Surface.h"
 
 #include <vector>

@@ -8,7 +8,7 @@
 #define BoneDecimate_Core_Mesh_Statistics_h
 
 #include "EdgeMatching.h"
-#include "Report/Report.h"
+#include "Figures/SurfaceFigures.h"
 #include "Surface.h"
 
 #include <vector>

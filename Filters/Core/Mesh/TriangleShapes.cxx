@@ -95,6 +95,22 @@ std::int64_t CountOf(const ShapeStatistics& shapes)
   }
   return count;
 }
+
+/// Each once, the lower end first.
+std::vector<std::pair<Index, Index>> EdgesOf(const Surface& surface)
+{
+  std::vector<std::pair<Index, Index>> edges;
+  for (const Triangle& v : surface.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      edges.push_back(std::minmax(v[k], v[(k + 1) % 3]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
 }
 
 ShapeStatistics DescribeShapes(const Surface& surface, int threads)
@@ -148,8 +164,7 @@ void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum)
   }
 }
 
-namespace
-{
+//------------------------------------------------------------------------------
 AngleFigures FindBelowAngle(const Surface& surface, double degrees)
 {
   AngleFigures found;
@@ -171,22 +186,7 @@ AngleFigures FindBelowAngle(const Surface& surface, double degrees)
   return found;
 }
 
-/// Each once, the lower end first.
-std::vector<std::pair<Index, Index>> EdgesOf(const Surface& surface)
-{
-  std::vector<std::pair<Index, Index>> edges;
-  for (const Triangle& v : surface.Triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      edges.push_back(std::minmax(v[k], v[(k + 1) % 3]));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
+//------------------------------------------------------------------------------
 EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits, const Vector3& origin)
 {
   constexpr double rounding = 1e-6; // of a length: the output may round positions
@@ -219,28 +219,5 @@ EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits, const V
     found.LeastRequested = limits.LeastOfLongest() / ShapeLimits::Longest;
   }
   return found;
-}
-}
-
-ShapeLimits ShapeLimitsOf(const Options& options, std::shared_ptr<const SizingField> local)
-{
-  constexpr double margin = 1e-3; // degrees
-  constexpr double sliver = 20.0; // degrees
-  ShapeLimits limits;
-  limits.EdgeLength = options.EffectiveEdgeLength();
-  limits.Local = std::move(local);
-  const double requested = options.EffectiveMinimumAngle();
-  const double angle = requested == 0.0 && limits.LimitsEdges() ? sliver : requested;
-  limits.LargestCosine = angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
-  return limits;
-}
-
-//------------------------------------------------------------------------------
-void CompareShapes(const Surface& surface, const Options& options, const ShapeLimits& limits,
-  const Vector3& origin, Report& report)
-{
-  const double angle = options.EffectiveMinimumAngle();
-  report.Angles = angle > 0.0 ? FindBelowAngle(surface, angle) : AngleFigures();
-  report.Edges = limits.LimitsEdges() ? FindEdges(surface, limits, origin) : EdgeFigures();
 }
 }

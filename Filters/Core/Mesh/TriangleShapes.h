@@ -10,11 +10,9 @@
 #ifndef BoneDecimate_Core_Mesh_TriangleShapes_h
 #define BoneDecimate_Core_Mesh_TriangleShapes_h
 
-#include "Report/Report.h"
+#include "Figures/ShapeFigures.h"
 #include "ShapeLimits.h"
 #include "Surface.h"
-
-#include <memory>
 
 namespace bonedecimate
 {
@@ -24,16 +22,12 @@ ShapeStatistics DescribeShapes(const Surface& surface, int threads);
 /// Adds the triangles of another surface.
 void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum);
 
-/// What the edits of a run keep. The least angle is a little larger than requested: the output may round positions. An edge length needs
-/// one, too: slivers have edges of any length.
-/// @param local Lengths of edges where they are less than EdgeLength; null: nowhere.
-ShapeLimits ShapeLimitsOf(
-  const Options& options, std::shared_ptr<const SizingField> local = nullptr);
+/// The triangles with a smaller angle.
+AngleFigures FindBelowAngle(const Surface& surface, double degrees);
 
-/// Compares the triangles with the MinimumAngle and the edge lengths of a run.
+/// The edges compared with the lengths of the limits.
 /// @param origin mm, that the positions of the limits are relative to.
-void CompareShapes(const Surface& surface, const Options& options, const ShapeLimits& limits,
-  const Vector3& origin, Report& report);
+EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits, const Vector3& origin);
 }
 
 #endif

@@ -15,10 +15,12 @@
 #ifndef BoneDecimate_Core_Output_Evaluation_h
 #define BoneDecimate_Core_Output_Evaluation_h
 
-#include "Decimate.h"
 #include "Edit/Editor.h"
+#include "Input/RunInputs.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/SizingField.h"
+#include "Options/Options.h"
+#include "Result.h"
 #include "RunProgress.h"
 
 #include <memory>

@@ -15,10 +15,11 @@
 #ifndef BoneDecimate_Core_Output_Extract_h
 #define BoneDecimate_Core_Output_Extract_h
 
-#include "Decimate.h"
 #include "Edit/Editor.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/PointRounding.h"
+#include "Monitor.h"
+#include "Result.h"
 
 namespace bonedecimate
 {

@@ -13,9 +13,10 @@
 #ifndef BoneDecimate_Core_Output_ListLeftOut_h
 #define BoneDecimate_Core_Output_ListLeftOut_h
 
-#include "Decimate.h"
 #include "Input/ReferenceInput.h"
+#include "Input/RunInputs.h"
 #include "Mesh/Cleaning.h"
+#include "Result.h"
 
 #include <vector>
 

@@ -10,11 +10,11 @@
 #ifndef BoneDecimate_Core_Output_PartComparison_h
 #define BoneDecimate_Core_Output_PartComparison_h
 
-#include "Decimate.h"
+#include "Figures/PartFigures.h"
+#include "Input/RunInputs.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/SurfaceParts.h"
-#include "Report/Report.h"
 
 #include <string>
 #include <vector>

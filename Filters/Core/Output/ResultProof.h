@@ -15,8 +15,10 @@
 #define BoneDecimate_Core_Output_ResultProof_h
 
 #include "Certificate/Certificate.h"
-#include "Decimate.h"
 #include "Input/ReferenceInput.h"
+#include "Monitor.h"
+#include "Options/Options.h"
+#include "Result.h"
 
 namespace bonedecimate
 {

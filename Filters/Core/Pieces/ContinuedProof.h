@@ -11,8 +11,8 @@
 #define BoneDecimate_Core_Pieces_ContinuedProof_h
 
 #include "Certificate/Certificate.h"
+#include "Figures/DistanceFigures.h"
 #include "Options/Options.h"
-#include "Report/Report.h"
 #include "Surface.h"
 
 #include <vector>

@@ -10,8 +10,8 @@
 #ifndef BoneDecimate_Core_Pieces_OpenBoundaries_h
 #define BoneDecimate_Core_Pieces_OpenBoundaries_h
 
+#include "Figures/DistanceFigures.h"
 #include "Mesh/Cleaning.h"
-#include "Report/Report.h"
 #include "Surface.h"
 
 #include <array>

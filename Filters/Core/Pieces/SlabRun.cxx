@@ -4,11 +4,12 @@
 
 #include "Certificate/Certificate.h"
 #include "GrowingSurface.h"
+#include "Input/EdgeLengths.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/Cleaning.h"
 #include "Mesh/Statistics.h"
-#include "Mesh/TriangleShapes.h"
 #include "OpenBoundaries.h"
+#include "Output/CompareShapes.h"
 #include "Output/ListLeftOut.h"
 #include "SlabOptions.h"
 #include "SlabTotals.h"

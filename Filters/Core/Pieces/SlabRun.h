@@ -14,7 +14,9 @@
 #ifndef BoneDecimate_Core_Pieces_SlabRun_h
 #define BoneDecimate_Core_Pieces_SlabRun_h
 
-#include "Decimate.h"
+#include "Monitor.h"
+#include "Options/Options.h"
+#include "Output/Result.h"
 
 #include <memory>
 #include <string>

@@ -10,8 +10,8 @@
 #ifndef BoneDecimate_Core_Pieces_SlabTotals_h
 #define BoneDecimate_Core_Pieces_SlabTotals_h
 
-#include "Decimate.h"
 #include "Mesh/Cleaning.h"
+#include "Report/Report.h"
 #include "SlabRun.h"
 
 #include <array>

@@ -3,6 +3,7 @@
 #include "ZoneRun.h"
 
 #include "ContinuedProof.h"
+#include "Decimate.h"
 #include "Intersections/GuardReach.h"
 
 #include <algorithm>

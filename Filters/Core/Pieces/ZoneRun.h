@@ -15,7 +15,10 @@
 #ifndef BoneDecimate_Core_Pieces_ZoneRun_h
 #define BoneDecimate_Core_Pieces_ZoneRun_h
 
-#include "Decimate.h"
+#include "Input/RunInputs.h"
+#include "Monitor.h"
+#include "Options/Options.h"
+#include "Output/Result.h"
 #include "SurfacePiece.h"
 
 namespace bonedecimate

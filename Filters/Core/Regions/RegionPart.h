@@ -11,7 +11,8 @@
 #ifndef BoneDecimate_Core_Regions_RegionPart_h
 #define BoneDecimate_Core_Regions_RegionPart_h
 
-#include "Decimate.h"
+#include "Input/Labels.h"
+#include "Output/Result.h"
 #include "Slabs.h"
 
 #include <vector>

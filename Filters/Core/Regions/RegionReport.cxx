@@ -4,7 +4,9 @@
 
 #include "Certificate/Certificate.h"
 #include "Geometry/TriangleGeometry.h"
+#include "Input/EdgeLengths.h"
 #include "Mesh/TriangleShapes.h"
+#include "Output/CompareShapes.h"
 
 #include <algorithm>
 #include <array>

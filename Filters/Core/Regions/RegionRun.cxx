@@ -139,8 +139,8 @@ private:
     const bool isManifold = clean.Statistics.NonManifoldPoints == 0;
     if (clean.Status != InputStatus::Good || rounding.HasGrid() ||
       (rounding.ToSingle && !this->Prepared->IsSingle) || (labels != nullptr && !isManifold) ||
-      CheckErrors(this->Input, clean, this->Inputs.Tolerances, rounding, this->Effective, report) !=
-        InputStatus::Good)
+      CheckErrors(this->Input, clean, this->Inputs.Tolerances, rounding, this->Effective,
+        report.Cleaning, report.Size) != InputStatus::Good)
     {
       return false;
     }

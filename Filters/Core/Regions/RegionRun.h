@@ -16,7 +16,10 @@
 #ifndef BoneDecimate_Core_Regions_RegionRun_h
 #define BoneDecimate_Core_Regions_RegionRun_h
 
-#include "Decimate.h"
+#include "Input/RunInputs.h"
+#include "Monitor.h"
+#include "Options/Options.h"
+#include "Output/Result.h"
 
 #include <functional>
 

@@ -8,7 +8,7 @@
 #define BoneDecimate_Core_Report_CertificateTable_h
 
 #include "Certificate/Certificate.h"
-#include "LeftOut.h"
+#include "Figures/LeftOut.h"
 #include "ReportTable.h"
 
 #include <vector>

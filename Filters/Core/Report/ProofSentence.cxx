@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProofSentence.h"
 
-#include "BoundText.h"
 #include "CertificateTable.h"
+#include "Figures/BoundText.h"
 
 namespace bonedecimate
 {

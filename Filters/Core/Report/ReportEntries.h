@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Report_ReportEntries_h
 #define BoneDecimate_Core_Report_ReportEntries_h
 
-#include "LeftOut.h"
+#include "Figures/LeftOut.h"
 #include "ReportTable.h"
 
 #include <cmath>

@@ -104,7 +104,7 @@ void AddReference(Entries& entries, const ReferenceFigures& reference)
 void AddLabels(Entries& entries, const Report& report)
 {
   entries.push_back({ "labels.count", "", static_cast<std::int64_t>(report.Labels.size()) });
-  entries.push_back({ "labels.largest_change", "", LargestLabelChange(report) });
+  entries.push_back({ "labels.largest_change", "", LargestLabelChange(report.Labels) });
   for (const LabelArea& area : report.Labels)
   {
     entries.push_back({ "labels.of_" + area.Name + ".input_area", "mm2", area.Input });

@@ -20,10 +20,10 @@
 #ifndef BoneDecimate_Core_Smoothing_Smoothing_h
 #define BoneDecimate_Core_Smoothing_Smoothing_h
 
+#include "Figures/SmoothingFigures.h"
 #include "LabelMap/VoxelGrid.h"
 #include "Mesh/PointRounding.h"
 #include "Monitor.h"
-#include "Report/Report.h"
 #include "Surface.h"
 
 #include <vector>

@@ -14,9 +14,9 @@
 #ifndef BoneDecimate_Core_Tunnels_CloseTunnels_h
 #define BoneDecimate_Core_Tunnels_CloseTunnels_h
 
+#include "Figures/TunnelFigures.h"
 #include "Monitor.h"
 #include "PluggedSurface.h"
-#include "Report/TunnelFigures.h"
 
 #include <vector>
 

@@ -12,8 +12,8 @@
 #define BoneDecimate_Core_Tunnels_TunnelPlug_h
 
 #include "EdgeGraph.h"
+#include "Figures/TunnelFigures.h"
 #include "PluggedSurface.h"
-#include "Report/TunnelFigures.h"
 
 #include <utility>
 #include <vector>

@@ -4,8 +4,8 @@
  * @file TunnelFigures.h
  * @brief Tunnels that were closed before the first edit, and those that were left open.
  */
-#ifndef BoneDecimate_Core_Report_TunnelFigures_h
-#define BoneDecimate_Core_Report_TunnelFigures_h
+#ifndef BoneDecimate_Core_Figures_TunnelFigures_h
+#define BoneDecimate_Core_Figures_TunnelFigures_h
 
 #include "Surface.h"
 

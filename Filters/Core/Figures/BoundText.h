@@ -4,8 +4,8 @@
  * @file BoundText.h
  * @brief Proved bounds as text, rounded outwards, so that what is printed is proved, too.
  */
-#ifndef BoneDecimate_Core_Report_BoundText_h
-#define BoneDecimate_Core_Report_BoundText_h
+#ifndef BoneDecimate_Core_Figures_BoundText_h
+#define BoneDecimate_Core_Figures_BoundText_h
 
 #include <string>
 

@@ -4,8 +4,8 @@
  * @file PartFigures.h
  * @brief Area, volume and thickness of each component or label before and after a run that smoothed.
  */
-#ifndef BoneDecimate_Core_Report_PartFigures_h
-#define BoneDecimate_Core_Report_PartFigures_h
+#ifndef BoneDecimate_Core_Figures_PartFigures_h
+#define BoneDecimate_Core_Figures_PartFigures_h
 
 #include "Surface.h"
 

@@ -4,8 +4,8 @@
  * @file ShapeFigures.h
  * @brief What the report says about the shapes of triangles.
  */
-#ifndef BoneDecimate_Core_Report_ShapeFigures_h
-#define BoneDecimate_Core_Report_ShapeFigures_h
+#ifndef BoneDecimate_Core_Figures_ShapeFigures_h
+#define BoneDecimate_Core_Figures_ShapeFigures_h
 
 #include "Surface.h"
 

@@ -4,8 +4,8 @@
  * @file LeftOut.h
  * @brief What of an input is not in the surface that was proved, and what the proof's sentence says of it.
  */
-#ifndef BoneDecimate_Core_Report_LeftOut_h
-#define BoneDecimate_Core_Report_LeftOut_h
+#ifndef BoneDecimate_Core_Figures_LeftOut_h
+#define BoneDecimate_Core_Figures_LeftOut_h
 
 #include "Surface.h"
 
