@@ -13,6 +13,7 @@
 #include "LeftOutOfParts.h"
 #include "Pieces/ContinuedProof.h"
 #include "Report/ProofSentence.h"
+#include "Report/SizeText.h"
 #include "RunInput.h"
 #include "RunState.h"
 

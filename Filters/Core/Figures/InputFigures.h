@@ -116,6 +116,9 @@ struct LabelArea
   /// Relative to the input area; 0 if that is 0.
   double Change() const { return Input > 0.0 ? std::abs(Output - Input) / Input : 0.0; }
 };
+
+/// The largest relative change of the area of a label; 0 without labels.
+double LargestLabelChange(const std::vector<LabelArea>& labels);
 }
 
 #endif

@@ -18,7 +18,6 @@
 #include "Mesh/Cleaning.h"
 #include "Options/Options.h"
 
-#include <string>
 #include <vector>
 
 namespace bonedecimate
@@ -28,12 +27,6 @@ SizeFigures MeasureSize(
   const CleanSurface& clean, const Options& options, const std::vector<double>* tolerances);
 
 InputStatus CheckSize(const SizeFigures& size, const Options& options);
-
-/// A sentence for the status of CheckSize().
-std::string SizeMessage(const SizeFigures& size, InputStatus status);
-
-/// Warnings: the size is odd, or a smaller error than the requested one was used.
-std::vector<std::string> SizeWarnings(const SizeFigures& size);
 }
 
 #endif

@@ -46,15 +46,4 @@ std::vector<LabelArea> LabelAreas(
   }
   return areas;
 }
-
-//------------------------------------------------------------------------------
-double LargestLabelChange(const std::vector<LabelArea>& labels)
-{
-  double largest = 0.0;
-  for (const LabelArea& area : labels)
-  {
-    largest = std::max(largest, area.Change());
-  }
-  return largest;
-}
 }

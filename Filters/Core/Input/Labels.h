@@ -30,9 +30,6 @@ std::vector<Index> LabelsOf(const CleanSurface& clean, const Labels& labels);
 /// Labels of the remaining faces, which never change.  @param mesh Built from the surface and simplified.
 std::vector<LabelArea> LabelAreas(
   const CleanSurface& clean, const HalfEdgeMesh& mesh, const Labels& labels);
-
-/// The largest relative change of the area of a label; 0 without labels.
-double LargestLabelChange(const std::vector<LabelArea>& labels);
 }
 
 #endif

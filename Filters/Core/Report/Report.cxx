@@ -3,10 +3,10 @@
 #include "Report.h"
 
 #include "Certificate/Certificate.h"
-#include "Input/InputSize.h"
 #include "Options/NumberRange.h"
 #include "Options/OptionTable.h"
 #include "Options/UnmetNeeds.h"
+#include "SizeText.h"
 #include "TunnelTable.h"
 #include "Words.h"
 

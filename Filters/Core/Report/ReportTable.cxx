@@ -4,7 +4,6 @@
 
 #include "Certificate/Certificate.h"
 #include "Diagnostics/Diagnostics.h"
-#include "Input/Labels.h"
 #include "Mesh/Checksum.h"
 #include "Options/OptionTable.h"
 #include "ProofSentence.h"

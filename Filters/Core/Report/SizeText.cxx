@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SizeText.h"
+
+#include "Mesh/BoneSize.h"
+#include "Options/NumberRange.h"
+
+#include <cstdio>
+
+namespace bonedecimate
+{
+namespace
+{
+std::string Millimeters(double length)
+{
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.6g mm", length);
+  return text;
+}
+
+/// "the largest error of 50 mm"
+std::string ErrorText(const SizeFigures& size)
+{
+  const std::string number = SentenceNumber(size.LargestError);
+  return size.Point < 0
+    ? "the largest error of " + number + " mm"
+    : "the tolerance of " + number + " mm of point " + std::to_string(size.Point);
+}
+}
+
+std::string SizeMessage(const SizeFigures& size, InputStatus status)
+{
+  const std::string diagonal =
+    " of the diagonal of the input's bounding box, " + Millimeters(size.Diagonal);
+  return status == InputStatus::ErrorBeyondSize
+    ? ErrorText(size) + " is more than a quarter" + diagonal +
+      "; the coordinates may not be in millimeters (AllowLargeError runs anyway)"
+    : ErrorText(size) + " is less than a millionth" + diagonal + "; rounding alone exceeds it";
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SizeWarnings(const SizeFigures& size)
+{
+  std::vector<std::string> warnings;
+  if (size.Diagonal > 0.0 && !IsBoneSize(size.Diagonal))
+  {
+    warnings.push_back("the diagonal of the input's bounding box is " + Millimeters(size.Diagonal) +
+      ", which is not the size of a bone; the coordinates may not be in millimeters");
+  }
+  if (size.ErrorBound < size.LargestError)
+  {
+    warnings.push_back(ErrorText(size) +
+      " is more than the diagonal of the input's bounding box; " + Millimeters(size.ErrorBound) +
+      " was used");
+  }
+  return warnings;
+}
+}
