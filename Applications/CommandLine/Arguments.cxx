@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arguments.h"
 
+#include "Base/Text.h"
 #include "CommonOptions.h"
 #include "ExitCode.h"
 #include "FileGrid.h"
@@ -12,7 +13,6 @@
 #include "Options/NumberRange.h"
 #include "Options/OptionTable.h"
 #include "Options/RunKinds.h"
-#include "Options/Text.h"
 #include "VoxelPieces.h"
 
 #include <CLI/CLI.hpp>

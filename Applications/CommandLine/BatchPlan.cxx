@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BatchPlan.h"
 
+#include "Base/Text.h"
 #include "BoneVolume.h"
 #include "ExitCode.h"
 #include "FileNames.h"
@@ -11,7 +12,6 @@
 #include "Formats/SurfaceFormat.h"
 #include "NamePattern.h"
 #include "Options/OptionTable.h"
-#include "Options/Text.h"
 #include "Settings/Settings.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cap.h"
 
+#include "Base/Text.h"
 #include "CommandLine.h"
 #include "CommonOptions.h"
 #include "ExitCode.h"
@@ -11,7 +12,6 @@
 #include "HelpFormatter.h"
 #include "Interruption.h"
 #include "JsonReport.h"
-#include "Options/Text.h"
 #include "SameFile.h"
 #include "StagedFile.h"
 #include "SurfaceFiles.h"

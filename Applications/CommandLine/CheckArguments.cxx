@@ -10,11 +10,11 @@
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
 
+#include "Base/Text.h"
 #include "BoneVolume.h"
 #include "ExitCode.h"
 #include "MemoryArguments.h"
 #include "Options/OptionTable.h"
-#include "Options/Text.h"
 #include "Options/UnmetNeeds.h"
 #include "SameFile.h"
 #include "SegmentOutput.h"

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommonOptions.h"
 
+#include "Base/Text.h"
 #include "CountText.h"
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
-#include "Options/Text.h"
 
 #include <CLI/CLI.hpp>
 

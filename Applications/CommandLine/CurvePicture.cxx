@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvePicture.h"
 
+#include "Base/Text.h"
 #include "NumberText.h"
-#include "Options/Text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "FilePath.h"
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
-#include "Report/Report.h"
+#include "Run/Report/Report.h"
 #include "RunOne.h"
 #include "SegmentOutput.h"
 #include "Settings/Settings.h"

@@ -14,7 +14,7 @@
 #include "Interruption.h"
 #include "JsonReport.h"
 #include "NumberText.h"
-#include "Report/Report.h"
+#include "Run/Report/Report.h"
 #include "SameFile.h"
 #include "Settings/Settings.h"
 #include "StagedFile.h"

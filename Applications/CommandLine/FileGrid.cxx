@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileGrid.h"
 
+#include "Base/Text.h"
 #include "CommonOptions.h"
 #include "ExitCode.h"
 #include "Figures/BoundText.h"
@@ -10,7 +11,6 @@
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
 #include "NumberText.h"
-#include "Options/Text.h"
 #include "SegmentOutput.h"
 
 #include "vtkDataArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileNames.h"
 
+#include "Base/Text.h"
 #include "FilePath.h"
-#include "Options/Text.h"
 
 #include <filesystem>
 

@@ -7,11 +7,11 @@
 #include "FileNames.h"
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
-#include "Input/VoxelSize.h"
+#include "Geometry/Surface.h"
 #include "PointPosition.h"
 #include "ReportFields.h"
 #include "ReportOfSurface.h"
-#include "Surface.h"
+#include "Run/Input/VoxelSize.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

@@ -4,9 +4,9 @@
 
 #include "FileNames.h"
 #include "FilePath.h"
-#include "Report/Report.h"
 #include "ReportFields.h"
 #include "ReportOfSurface.h"
+#include "Run/Report/Report.h"
 #include "StagedFile.h"
 #include "VoxelSection.h"
 

@@ -9,7 +9,7 @@
 
 #include "Arguments.h"
 #include "FileStamp.h"
-#include "Pieces/SlabRun.h"
+#include "Partition/Slabs/SlabRun.h"
 #include "SegmentRecord.h"
 
 #include "vtkPolyData.h"

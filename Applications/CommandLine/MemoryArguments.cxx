@@ -3,11 +3,11 @@
 #include "MemoryArguments.h"
 
 #include "Arguments.h"
+#include "Base/Text.h"
 #include "ExitCode.h"
 #include "FlagNames.h"
 #include "HelpFormatter.h"
-#include "Options/Text.h"
-#include "Pieces/SlabRun.h"
+#include "Partition/Slabs/SlabRun.h"
 
 #include <CLI/CLI.hpp>
 

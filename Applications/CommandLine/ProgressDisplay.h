@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Applications_ProgressDisplay_h
 #define BoneDecimate_Applications_ProgressDisplay_h
 
-#include "StageClock.h"
+#include "Base/StageClock.h"
 
 #include <string>
 

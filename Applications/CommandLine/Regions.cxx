@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Regions.h"
 
+#include "Base/Text.h"
 #include "CommonOptions.h"
-#include "Options/Text.h"
 
 #include "vtkBoneTolerance.h"
 #include "vtkBox.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RunOne.h"
 
+#include "Base/StageClock.h"
 #include "BoneVolume.h"
 #include "ExitCode.h"
 #include "FileNames.h"
@@ -27,7 +28,6 @@
 #include "SegmentSurfaces.h"
 #include "SlabSource.h"
 #include "SlabbedRun.h"
-#include "StageClock.h"
 #include "Summary.h"
 #include "SurfaceFiles.h"
 #include "VtkMessages.h"

@@ -3,6 +3,7 @@
 #include "SegmentArguments.h"
 
 #include "Arguments.h"
+#include "Base/Text.h"
 #include "BoneVolume.h"
 #include "CommonOptions.h"
 #include "ExitCode.h"
@@ -11,7 +12,6 @@
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
 #include "Labels/LabelTable.h"
-#include "Options/Text.h"
 #include "PlainText.h"
 #include "SegmentOutput.h"
 

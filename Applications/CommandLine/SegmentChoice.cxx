@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SegmentChoice.h"
 
+#include "Base/Text.h"
 #include "ExitCode.h"
 #include "Formats/FileChecks.h"
 #include "Labels/LabelNames.h"
 #include "Labels/LabelTableSearch.h"
-#include "Options/Text.h"
 #include "PlainText.h"
 #include "TotalSegmentator.h"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SegmentFiles.h"
 
+#include "Base/Text.h"
 #include "CommandLine.h"
 #include "ExitCode.h"
 #include "FileNames.h"
@@ -9,7 +10,6 @@
 #include "Formats/SurfaceFormat.h"
 #include "Interruption.h"
 #include "NamedLabels.h"
-#include "Options/Text.h"
 #include "PointPosition.h"
 #include "ReportFields.h"
 #include "SameFile.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SegmentOutput.h"
 
+#include "Base/Text.h"
 #include "FileNames.h"
 #include "FilePath.h"
-#include "Options/Text.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -10,7 +10,7 @@
 #define BoneDecimate_Applications_SlabSource_h
 
 #include "Arguments.h"
-#include "Pieces/SlabRun.h"
+#include "Partition/Slabs/SlabRun.h"
 
 #include "vtkPolyData.h"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SlabbedRun.h"
 
+#include "Base/StageClock.h"
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "FilePath.h"
@@ -14,13 +15,12 @@
 #include "JsonReport.h"
 #include "MemoryArguments.h"
 #include "OutputFiles.h"
-#include "Pieces/SlabRun.h"
+#include "Partition/Slabs/SlabRun.h"
 #include "ReportFields.h"
 #include "SegmentFiles.h"
 #include "SegmentOutput.h"
 #include "SegmentSurfaces.h"
 #include "SlabSource.h"
-#include "StageClock.h"
 #include "Summary.h"
 #include "SurfaceArrays.h"
 #include "SurfaceConversion.h"

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SlicerXml.h"
 
+#include "Base/Text.h"
 #include "Formats/SurfaceFormat.h"
 #include "Options/OptionTable.h"
-#include "Options/Text.h"
-#include "Report/Report.h"
+#include "Run/Report/Report.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceFiles.h"
 
+#include "Base/Text.h"
 #include "ExitCode.h"
 #include "FilePath.h"
 #include "Formats/FileChecks.h"
@@ -9,7 +10,6 @@
 #include "Formats/FileParts.h"
 #include "Formats/FileUnit.h"
 #include "Formats/SurfaceFormat.h"
-#include "Options/Text.h"
 #include "VtkMessages.h"
 
 #include "vtkCellArray.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CertificatePage.h"
 
+#include "Base/Text.h"
 #include "Figures/BoundText.h"
 #include "NumberText.h"
-#include "Options/Text.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
 #include "PlainText.h"

@@ -9,7 +9,7 @@
 #include "ReportFields.h"
 #include "SurfaceDistances.h"
 
-#include "Options/Text.h"
+#include "Base/Text.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Page.h"
 
+#include "Base/Text.h"
 #include "Mesh/Rejection.h"
 #include "NumberText.h"
-#include "Options/Text.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
 #include "PartSection.h"

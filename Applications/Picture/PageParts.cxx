@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PageParts.h"
 
+#include "Base/Text.h"
 #include "NumberText.h"
-#include "Options/Text.h"
 #include "PageTemplate.h"
 
 #include "vtkBase64Utilities.h"

@@ -7,7 +7,7 @@
 #include "PageTemplate.h"
 #include "VoxelSection.h"
 
-#include "Options/Text.h"
+#include "Base/Text.h"
 
 namespace bonedecimate
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportOfSurface.h"
 
-#include "Report/ProofSentence.h"
+#include "Run/Report/ProofSentence.h"
 
 #include "vtkBoneDecimateAlgorithm.h"
 #include "vtkDoubleArray.h"

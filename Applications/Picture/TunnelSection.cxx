@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TunnelSection.h"
 
+#include "Base/Text.h"
 #include "NumberText.h"
-#include "Options/Text.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
 

@@ -12,7 +12,7 @@
 #include "ViewerProgram.h"
 #include "Viewpoint.h"
 
-#include "Options/Text.h"
+#include "Base/Text.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkPointData.h"

@@ -3,10 +3,10 @@
 #include "FilePath.h"
 #include "ImageFiles.h"
 
+#include "Base/Text.h"
 #include "DataFile.h"
 #include "HeaderUnit.h"
 #include "ItkImage.h"
-#include "Options/Text.h"
 #include "StoredVoxels.h"
 #include "TextNumbers.h"
 

@@ -3,6 +3,7 @@
 #include "FilePath.h"
 #include "ImageFiles.h"
 
+#include "Base/Text.h"
 #include "DataFile.h"
 #include "DeflatedStream.h"
 #include "HeaderUnit.h"
@@ -10,7 +11,6 @@
 #include "ItkImage.h"
 #include "NiftiHeader.h"
 #include "NiftiPosition.h"
-#include "Options/Text.h"
 #include "StoredVoxels.h"
 
 #include <algorithm>

@@ -3,12 +3,12 @@
 #include "FilePath.h"
 #include "ImageFiles.h"
 
+#include "Base/Text.h"
 #include "DataFile.h"
 #include "HeaderUnit.h"
 #include "IntensityChecks.h"
 #include "ItkImage.h"
 #include "NrrdText.h"
-#include "Options/Text.h"
 #include "Segmentation.h"
 #include "StoredVoxels.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NrrdText.h"
 
+#include "Base/Text.h"
 #include "FilePath.h"
-#include "Options/Text.h"
 #include "TextNumbers.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextNumbers.h"
 
-#include "Options/Text.h"
+#include "Base/Text.h"
 
 namespace bonedecimate::volume
 {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TiffFolder.h"
 
+#include "Base/Text.h"
 #include "FilePath.h"
 #include "FolderEntries.h"
-#include "Options/Text.h"
 #include "TextNumbers.h"
 
 #include <algorithm>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeFile.h"
 
+#include "Base/Text.h"
 #include "BoneVolume.h"
 #include "DicomFolder.h"
 #include "FilePath.h"
 #include "ImageFiles.h"
 #include "LabelFields.h"
-#include "Options/Text.h"
 #include "TiffFolder.h"
 #include "VtiVolume.h"
 

@@ -7,7 +7,7 @@
 #ifndef ImageLabels_h
 #define ImageLabels_h
 
-#include "LabelMap/LabelImage.h"
+#include "Labels/LabelMap/LabelImage.h"
 
 #include "vtkSmartPointer.h"
 

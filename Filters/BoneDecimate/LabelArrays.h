@@ -12,7 +12,7 @@
 #ifndef LabelArrays_h
 #define LabelArrays_h
 
-#include "Input/Labels.h"
+#include "Run/Input/Labels.h"
 #include "SurfaceConversion.h"
 
 #include "vtkSmartPointer.h"

@@ -7,7 +7,7 @@
 #ifndef LabelFieldOrder_h
 #define LabelFieldOrder_h
 
-#include "LabelMap/VoxelGrid.h"
+#include "Labels/LabelMap/VoxelGrid.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"

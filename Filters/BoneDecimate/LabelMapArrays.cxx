@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelMapArrays.h"
 
+#include "Base/Parallel.h"
 #include "LabelFieldOrder.h"
-#include "Parallel.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

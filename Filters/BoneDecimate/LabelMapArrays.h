@@ -22,7 +22,7 @@
 #ifndef LabelMapArrays_h
 #define LabelMapArrays_h
 
-#include "LabelMap/VoxelGrid.h"
+#include "Labels/LabelMap/VoxelGrid.h"
 #include "SurfaceConversion.h"
 
 #include <string>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LabelMapOfRun.h"
 
-#include "Input/VoxelGridSearch.h"
-#include "LabelMap/EnclosedLabel.h"
-#include "LabelMap/LabelRanks.h"
-#include "LabelMap/VoxelCheck.h"
 #include "LabelMapArrays.h"
+#include "Labels/LabelMap/EnclosedLabel.h"
+#include "Labels/LabelMap/LabelRanks.h"
+#include "Labels/LabelMap/VoxelCheck.h"
+#include "Run/Input/VoxelGridSearch.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -12,7 +12,7 @@
 #define LabelMapOfRun_h
 
 #include "ImageLabels.h"
-#include "LabelMap/VoxelGrid.h"
+#include "Labels/LabelMap/VoxelGrid.h"
 #include "SurfaceConversion.h"
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 #ifndef LeftOutOfParts_h
 #define LeftOutOfParts_h
 
-#include "Report/Report.h"
+#include "Run/Report/Report.h"
 
 #include <vector>
 

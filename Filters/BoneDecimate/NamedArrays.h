@@ -8,8 +8,8 @@
 #ifndef NamedArrays_h
 #define NamedArrays_h
 
-#include "Input/Labels.h"
 #include "Options/Options.h"
+#include "Run/Input/Labels.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDataArray.h"

@@ -7,7 +7,7 @@
 #ifndef NamedEntries_h
 #define NamedEntries_h
 
-#include "Report/ReportTable.h"
+#include "Run/Report/ReportTable.h"
 
 #include <string>
 #include <vector>

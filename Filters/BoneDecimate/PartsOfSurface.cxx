@@ -5,15 +5,15 @@
  * @brief What vtkBoneDecimate offers to classes that simplify a surface in parts.
  */
 #include "Geometry/NearSurface.h"
-#include "Input/ComponentCensus.h"
-#include "Input/InputSize.h"
-#include "Input/LabelMapInput.h"
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
 #include "LeftOutOfParts.h"
-#include "Pieces/ContinuedProof.h"
-#include "Report/ProofSentence.h"
-#include "Report/SizeText.h"
+#include "Partition/Slabs/ContinuedProof.h"
+#include "Run/Input/ComponentCensus.h"
+#include "Run/Input/InputSize.h"
+#include "Run/Input/LabelMapInput.h"
+#include "Run/Report/ProofSentence.h"
+#include "Run/Report/SizeText.h"
 #include "RunInput.h"
 #include "RunState.h"
 

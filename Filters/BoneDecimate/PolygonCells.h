@@ -7,7 +7,7 @@
 #ifndef PolygonCells_h
 #define PolygonCells_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include "vtkType.h"
 

@@ -4,8 +4,8 @@
  * @file PrunedParts.cxx
  * @brief How vtkBoneDecimate prunes components of a surface that is in parts.
  */
-#include "Input/ComponentCensus.h"
-#include "Input/Prune.h"
+#include "Run/Input/ComponentCensus.h"
+#include "Run/Input/Prune.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
 #include "vtkBoneDecimate.h"

@@ -7,8 +7,8 @@
 #ifndef RunInput_h
 #define RunInput_h
 
-#include "Decimate.h"
 #include "LabelMapOfRun.h"
+#include "Run/Decimate.h"
 #include "SurfaceConversion.h"
 #include "vtkBoneDecimate.h"
 

@@ -10,8 +10,8 @@
 #include "NamedEntries.h"
 #include "Options/OptionTable.h"
 #include "RejectedValues.h"
-#include "Report/Report.h"
-#include "Report/ReportTable.h"
+#include "Run/Report/Report.h"
+#include "Run/Report/ReportTable.h"
 
 #include "vtkBoneDecimateAlgorithm.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceArrays.h"
 
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"

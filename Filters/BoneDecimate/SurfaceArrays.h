@@ -7,7 +7,7 @@
 #ifndef SurfaceArrays_h
 #define SurfaceArrays_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

@@ -7,9 +7,9 @@
 #ifndef SurfaceConversion_h
 #define SurfaceConversion_h
 
-#include "Decimate.h"
-#include "Diagnostics/Diagnostics.h"
-#include "Report/ReportTable.h"
+#include "Repair/Diagnostics/Diagnostics.h"
+#include "Run/Decimate.h"
+#include "Run/Report/ReportTable.h"
 
 #include "vtkType.h"
 

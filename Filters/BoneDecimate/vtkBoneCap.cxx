@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneCap.h"
 
-#include "Caps/CloseBoundaries.h"
 #include "Pieces.h"
 #include "RejectedValues.h"
+#include "Repair/Caps/CloseBoundaries.h"
 #include "SurfaceConversion.h"
 
 #include "vtkCellArray.h"

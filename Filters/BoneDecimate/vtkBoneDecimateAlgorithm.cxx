@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneDecimateAlgorithm.h"
 
-#include "Certificate/Certificate.h"
 #include "ImageLabels.h"
 #include "LabelMapOfRun.h"
 #include "Mesh/Checksum.h"
 #include "Options/RunKinds.h"
-#include "Report/ReportFigures.h"
-#include "Report/ReportJson.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Report/ReportFigures.h"
+#include "Run/Report/ReportJson.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
 

@@ -3,13 +3,13 @@
 #include "vtkBoneDecimateLevels.h"
 
 #include "FilterProgress.h"
-#include "Input/LabelMapInput.h"
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
-#include "Levels.h"
 #include "NamedArrays.h"
+#include "Run/Input/LabelMapInput.h"
+#include "Run/Levels.h"
+#include "Run/RunWarnings.h"
 #include "RunState.h"
-#include "RunWarnings.h"
 #include "SurfaceArrays.h"
 #include "SurfaceConversion.h"
 

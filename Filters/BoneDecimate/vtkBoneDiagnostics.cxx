@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneDiagnostics.h"
 
-#include "Diagnostics/Diagnostics.h"
 #include "RejectedValues.h"
-#include "Report/ReportCells.h"
+#include "Repair/Diagnostics/Diagnostics.h"
+#include "Run/Report/ReportCells.h"
 #include "SurfaceConversion.h"
 
 #include "vtkIdList.h"

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneErrorSearch.h"
 
-#include "ErrorSearch.h"
 #include "FilterProgress.h"
 #include "LabelMapArrays.h"
 #include "LabelMapOfRun.h"
 #include "NamedArrays.h"
 #include "PassedNames.h"
+#include "Run/ErrorSearch.h"
+#include "Run/RunWarnings.h"
 #include "RunState.h"
-#include "RunWarnings.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDoubleArray.h"

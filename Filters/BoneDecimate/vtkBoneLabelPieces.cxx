@@ -3,8 +3,8 @@
 #include "vtkBoneLabelPieces.h"
 
 #include "ImageLabels.h"
-#include "LabelMap/ChangePieces.h"
-#include "LabelMap/LabelSurfaces.h"
+#include "Labels/LabelMap/ChangePieces.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
 #include "RejectedValues.h"
 
 #include "vtkCellData.h"

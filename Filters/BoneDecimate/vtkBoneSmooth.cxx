@@ -8,8 +8,8 @@
 #include "NamedArrays.h"
 #include "PassedNames.h"
 #include "Pieces.h"
+#include "Run/RunWarnings.h"
 #include "RunState.h"
-#include "RunWarnings.h"
 #include "SurfaceConversion.h"
 
 #include "vtkCellData.h"

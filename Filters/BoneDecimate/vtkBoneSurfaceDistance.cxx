@@ -3,13 +3,13 @@
 #include "vtkBoneSurfaceDistance.h"
 
 #include "FilterProgress.h"
-#include "Input/Tolerances.h"
 #include "NamedEntries.h"
-#include "Output/ListLeftOut.h"
 #include "Pieces.h"
 #include "RejectedValues.h"
-#include "Report/CertificateTable.h"
-#include "Report/ReportJson.h"
+#include "Run/Input/Tolerances.h"
+#include "Run/Output/ListLeftOut.h"
+#include "Run/Report/CertificateTable.h"
+#include "Run/Report/ReportJson.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDoubleArray.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneTolerance.h"
 
-#include "Input/FeaturePoints.h"
 #include "PointChoice.h"
 #include "RejectedValues.h"
+#include "Run/Input/FeaturePoints.h"
 #include "SurfaceConversion.h"
 
 #include "vtkCellData.h"

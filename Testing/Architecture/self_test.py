@@ -13,33 +13,33 @@ CASES = [
     ("Filters/Core/Geometry/A.h", "#include <vtkPolyData.h>", "may not include VTK"),
     ("Filters/Core/Mesh/A.h", "#include <iostream>", "may not include streams"),
     ("Filters/Core/Mesh/A.cxx", "#  include <fstream>", "may not include streams"),
-    ("Filters/Core/Decimate.cxx", "#include <unistd.h>", "may not include system"),
+    ("Filters/Core/Run/Decimate.cxx", "#include <unistd.h>", "may not include system"),
     ("Filters/Core/Geometry/A.cxx", '#include "Mesh/HalfEdgeMesh.h"', "may not include Filters/Core/Mesh"),
-    ("Filters/Core/Geometry/B.cxx", '#include "Report/Report.h"', "may not include Filters/Core/Report"),
-    ("Filters/Core/Mesh/B.cxx", '#include "Cost/Cost.h"', "may not include Filters/Core/Cost"),
-    ("Filters/Core/Edit/A.cxx", '#include "Measure/Measure.h"', "may not include Filters/Core/Measure"),
-    ("Filters/Core/Edit/B.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
+    ("Filters/Core/Geometry/B.cxx", '#include "Run/Report/Report.h"', "may not include Filters/Core/Run/Report"),
+    ("Filters/Core/Mesh/B.cxx", '#include "Decimate/Cost/Cost.h"', "may not include Filters/Core/Decimate/Cost"),
+    ("Filters/Core/Decimate/Edit/A.cxx", '#include "Proof/Measure/Measure.h"', "may not include Filters/Core/Proof/Measure"),
+    ("Filters/Core/Decimate/Edit/B.cxx", '#include "Run/Decimate.h"', "may not include Filters/Core/Run"),
     ("Filters/BoneDecimate/A.cxx", '#include "Mesh/HalfEdgeMesh.h"', "may not include Filters/Core/Mesh"),
     ("Filters/BoneDecimate/B.cxx", "#include <CGAL/AABB_tree.h>", "may not include CGAL"),
-    ("Filters/BoneDecimateParallel/A.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
-    ("Applications/CommandLine/A.cxx", '#include "Edit/Editor.h"', "may not include Filters/Core/Edit"),
-    ("Applications/Volume/A.cxx", '#include "Decimate.h"', "may not include Filters/Core"),
+    ("Filters/BoneDecimateParallel/A.cxx", '#include "Run/Decimate.h"', "may not include Filters/Core/Run"),
+    ("Applications/CommandLine/A.cxx", '#include "Decimate/Edit/Editor.h"', "may not include Filters/Core/Decimate/Edit"),
+    ("Applications/Volume/A.cxx", '#include "Run/Decimate.h"', "may not include Filters/Core/Run"),
     ("Applications/Picture/A.cxx", "#include <CGAL/Origin.h>", "may not include CGAL"),
     ("Other/A.cxx", "#include <vector>", None),
     ("Applications/Unlisted/A.cxx", "#include <vector>", "no module of ARCHITECTURE.md"),
     ("Filters/Core/Unlisted/A.cxx", "#include <vector>", "no module of ARCHITECTURE.md"),
     ("Applications/CommandLine/Folder/A.cxx", '#include "Mesh/HalfEdgeMesh.h"', "may not include Filters/Core/Mesh"),
-    ("Applications/CommandLine/Folder/B.cxx", '#include "Decimate.h"', None),
-    ("Filters/Core/Mesh/C.cxx", '#include "Report/Report.h"', None),
-    ("Filters/Core/Edit/C.cxx", '#include "Mesh/HalfEdgeMesh.h"', None),
+    ("Applications/CommandLine/Folder/B.cxx", '#include "Run/Decimate.h"', None),
+    ("Filters/Core/Mesh/C.cxx", '#include "Run/Report/Report.h"', "may not include Filters/Core/Run/Report"),
+    ("Filters/Core/Decimate/Edit/C.cxx", '#include "Mesh/HalfEdgeMesh.h"', None),
     ("Filters/Core/Geometry/C.cxx", "#include <Eigen/Core>", None),
-    ("Applications/CommandLine/C.cxx", '#include "Decimate.h"', None),
+    ("Applications/CommandLine/C.cxx", '#include "Run/Decimate.h"', None),
     ("Applications/CommandLine/D.cxx", "#include <CLI/CLI.hpp>", None),
     ("Filters/BoneDecimate/C.cxx", "#include <vtkPolyData.h>", None),
-    ("Testing/Unit/A.cxx", '#include "Edit/Editor.h"', None),
+    ("Testing/Unit/A.cxx", '#include "Decimate/Edit/Editor.h"', None),
 ]
-SKELETON = ["Filters/Core/Decimate.h", "Filters/Core/Report/Report.h", "Filters/Core/Mesh/HalfEdgeMesh.h",
-         "Filters/Core/Cost/Cost.h", "Filters/Core/Measure/Measure.h", "Filters/Core/Edit/Editor.h"]
+SKELETON = ["Filters/Core/Run/Decimate.h", "Filters/Core/Run/Report/Report.h", "Filters/Core/Mesh/HalfEdgeMesh.h",
+         "Filters/Core/Decimate/Cost/Cost.h", "Filters/Core/Proof/Measure/Measure.h", "Filters/Core/Decimate/Edit/Editor.h"]
 
 
 def found_with(file, line):
@@ -70,9 +70,12 @@ def complaint(file, line, expected):
 
 def run():
     complaints = [text for text in (complaint(*case) for case in CASES) if text]
-    if not modules.read_modules("## Modules\n| `Filters/Core/` | job | moon |\n")[1]:
+    if not modules.read_modules("## Modules\n| `Filters/Core/A/` | job | moon |\n")[1]:
         complaints.append("an unknown word in the table was not found")
+    circle = "## Modules\n| `Filters/Core/A/` | job | B |\n| `Filters/Core/B/` | job | A |\n"
+    if "Filters/Core/B is not above it" not in "".join(modules.read_modules(circle)[1]):
+        complaints.append("a cycle in the table was not found")
     for text in complaints:
         print(text)
-    print(f"{len(CASES) + 1} cases, {len(complaints)} with a wrong result")
+    print(f"{len(CASES) + 2} cases, {len(complaints)} with a wrong result")
     return 1 if complaints else 0

@@ -3,9 +3,9 @@
 #include "AttackChecks.h"
 
 #include "BruteForce.h"
-#include "Certificate/Certificate.h"
 #include "Crossings.h"
 #include "Mesh/SurfaceAssembly.h"
+#include "Proof/Certificate/Certificate.h"
 #include "VoxelOracle.h"
 
 #include <algorithm>

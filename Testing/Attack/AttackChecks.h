@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Testing_AttackChecks_h
 #define BoneDecimate_Testing_AttackChecks_h
 
-#include "Decimate.h"
 #include "Mesh/Cleaning.h"
+#include "Run/Decimate.h"
 
 #include <cstdint>
 #include <optional>

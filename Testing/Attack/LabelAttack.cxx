@@ -3,8 +3,8 @@
 #include "LabelAttack.h"
 
 #include "BruteForce.h"
-#include "LabelMap/LabelSurfaces.h"
 #include "LabelVictims.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
 #include "Victims.h"
 #include "VoxelOracle.h"
 

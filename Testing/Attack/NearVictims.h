@@ -12,8 +12,8 @@
 #ifndef BoneDecimate_Testing_NearVictims_h
 #define BoneDecimate_Testing_NearVictims_h
 
+#include "Geometry/Surface.h"
 #include "Random.h"
-#include "Surface.h"
 #include "Tubes.h"
 
 #include <cstddef>

@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Testing_Victims_h
 #define BoneDecimate_Testing_Victims_h
 
+#include "Geometry/Surface.h"
 #include "Random.h"
-#include "Surface.h"
 
 #include <vector>
 

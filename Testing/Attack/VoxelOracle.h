@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Testing_VoxelOracle_h
 #define BoneDecimate_Testing_VoxelOracle_h
 
-#include "LabelMap/VoxelGrid.h"
-#include "Surface.h"
+#include "Geometry/Surface.h"
+#include "Labels/LabelMap/VoxelGrid.h"
 
 #include <cstdint>
 #include <vector>

@@ -6,16 +6,16 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-FOLDER = "Filters/Core/ErrorBound/"
+FOLDER = "Filters/Core/Proof/ErrorBound/"
 SMOOTHING = "Filters/Core/Smoothing/"
-LABELS = "Filters/Core/LabelMap/"
-GUARD = "Filters/Core/VoxelGuard/"
-INTERSECTIONS = "Filters/Core/Intersections/"
+LABELS = "Filters/Core/Labels/LabelMap/"
+GUARD = "Filters/Core/Labels/VoxelGuard/"
+INTERSECTIONS = "Filters/Core/Proof/Guard/"
 STATE = INTERSECTIONS + "StateCheck.cxx"
 SEPARATION = INTERSECTIONS + "Separation.cxx"
-DRAFT = "Filters/Core/Edit/EditorDraft.cxx"
+DRAFT = "Filters/Core/Decimate/Edit/EditorDraft.cxx"
 BULK = FOLDER + "BulkProof.cxx"
-CERTIFICATE = "Filters/Core/Certificate/"
+CERTIFICATE = "Filters/Core/Proof/Certificate/"
 OVERLAY = CERTIFICATE + "OverlayCover.cxx"
 JOINT = CERTIFICATE + "JointCover.cxx"
 
@@ -36,7 +36,7 @@ EXTRACTION_TESTS = "*LabelSurfaces*:*NoiseSurfaces*:*Cells*:SingleLabel*"
 GUARD_TESTS = "VoxelPatches*:ColumnCrossings*:FixedPoints*:*EachMap*:KeepVoxelsOption*"
 CHECK_TESTS = "VoxelChecks*:*EachMap*:KeepVoxelsOption*"
 
-BATCH = "Filters/Core/Schedule/BatchSweep.cxx"
+BATCH = "Filters/Core/Decimate/Schedule/BatchSweep.cxx"
 BATCH_TESTS = "BatchSweep*"
 DRAFT_TESTS = "Draft*:EditJournal*"
 GUARD_OF_DRAFT_TESTS = DRAFT_TESTS + ":Separation*:Containment*:*IntersectionGuard*:GapsOfADraft*"
@@ -83,7 +83,7 @@ MUTANTS = (
     Mutant("half of a face is forgotten", FOLDER + "FaceProof.cxx",
            "  half.Corners[next] = piece.Corners[next];\n  half.Corners[edge] = middle;\n  this->Open.push_back(half);\n",
            ""),
-    Mutant("points that become one in single precision stay where they are", "Filters/Core/Stages/DistinctPositions.cxx",
+    Mutant("points that become one in single precision stay where they are", "Filters/Core/Decimate/Stages/DistinctPositions.cxx",
            "            later.push_back(v);\n", "            (void)v;\n"),
     of_draft("overlapping edits of a batch are applied", BATCH,
              "return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&",
@@ -98,15 +98,15 @@ MUTANTS = (
     of_draft("the versions of a coverage do not count what is added", FOLDER + "Coverage.h",
              "store(covering, std::memory_order_relaxed);\n    ++this->Versions[item];", "store(covering, std::memory_order_relaxed);\n    --this->Versions[item];",
              BATCH_TESTS),
-    of_draft("fragments lose the volume of each edit of a batch alone", "Filters/Core/EditFilters/FragmentGuard.cxx",
+    of_draft("fragments lose the volume of each edit of a batch alone", "Filters/Core/Proof/EditFilters/FragmentGuard.cxx",
              "return this->Screen(mesh, edit, pending).IsAccepted();", "return this->Screen(mesh, edit, pending).IsAccepted() || edit.Workers == 1;",
              BATCH_TESTS),
-    of_draft("an edit of a draft is undone without those that depend on it", "Filters/Core/EditFilters/EditJournal.cxx",
+    of_draft("an edit of a draft is undone without those that depend on it", "Filters/Core/Proof/EditFilters/EditJournal.cxx",
              "          open.push_back(later);\n", ""),
     of_draft("an edit of a draft is undone without those that depend on it through others",
-             "Filters/Core/EditFilters/EditJournal.cxx", "        if (position == seen.end() || *position != later)",
+             "Filters/Core/Proof/EditFilters/EditJournal.cxx", "        if (position == seen.end() || *position != later)",
              "        if (at == edit && (position == seen.end() || *position != later))"),
-    of_draft("an undone edit stays the last one of its faces", "Filters/Core/EditFilters/EditJournal.cxx",
+    of_draft("an undone edit stays the last one of its faces", "Filters/Core/Proof/EditFilters/EditJournal.cxx",
              "    this->OfFace[face.Face] = face.Made;\n", "    (void)face;\n"),
     of_draft("an undone edit leaves the vertex where it was moved", DRAFT,
              "  this->Half.Move(entry.Keep, journal.OldPosition(entry));\n", ""),
@@ -204,7 +204,7 @@ MUTANTS = (
            "constexpr double Slack = 0.0;", SMOOTHING_TESTS),
     Mutant("octahedra that are too large", SMOOTHING + "DisplacementSets.cxx", "NumberOfOdd(center) - Slack }",
            "1.2 * NumberOfOdd(center) }", SMOOTHING_TESTS),
-    Mutant("edits are proved against the smoothed positions", "Filters/Core/Edit/Editor.h",
+    Mutant("edits are proved against the smoothed positions", "Filters/Core/Decimate/Edit/Editor.h",
            "this->Unsmoothed ? *this->Unsmoothed : this->InitialMesh()", "this->InitialMesh()", SMOOTHING_TESTS),
     Mutant("a constrained point is smoothed", SMOOTHING + "Smoothing.cxx", "radii[p] = std::max(0.0, least);",
            "radii[p] = std::max(1e-3 * settings.Radius, least);", SMOOTHING_TESTS),
@@ -261,25 +261,25 @@ MUTANTS = (
            "vertex, local, this->Rounds);",
            "vertex, local, local == this->Clean->Surface.Points[vertex] ? PointRounding() : this->Rounds);",
            "FlatIntersectionGuard*"),
-    of_draft("narrow triangles cost no more than others", "Filters/Core/Cost/ShapePenalty.h", "return this->Weight * r * r;",
+    of_draft("narrow triangles cost no more than others", "Filters/Core/Decimate/Cost/ShapePenalty.h", "return this->Weight * r * r;",
              "return this->Weight / (1.0 + r * r);", SHAPE_TESTS),
-    of_draft("shapes do not count without an angle", "Filters/Core/Stages/Refinement.cxx", "editor.LimitsEdits() ? 0.0 : shapeWeight",
+    of_draft("shapes do not count without an angle", "Filters/Core/Decimate/Stages/Refinement.cxx", "editor.LimitsEdits() ? 0.0 : shapeWeight",
              "editor.LimitsEdits() ? shapeWeight : 0.0", SHAPE_TESTS),
-    of_draft("only one of the new triangles must have the least angle", "Filters/Core/EditFilters/ShapeFilter.cxx",
+    of_draft("only one of the new triangles must have the least angle", "Filters/Core/Proof/EditFilters/ShapeFilter.cxx",
              "after = std::max(after,", "after = std::min(after + 1.0,", SHAPE_TESTS),
-    of_draft("an angle may become smaller if the one before was below the least", "Filters/Core/EditFilters/ShapeFilter.cxx",
+    of_draft("an angle may become smaller if the one before was below the least", "Filters/Core/Proof/EditFilters/ShapeFilter.cxx",
              "mesh.Position(v[2]) }) >= after;", "mesh.Position(v[2]) }) >= limit;", SHAPE_TESTS),
-    of_draft("a long edge may be made", "Filters/Core/EditFilters/ShapeFilter.cxx",
+    of_draft("a long edge may be made", "Filters/Core/Proof/EditFilters/ShapeFilter.cxx",
              "!this->Limits.LimitsEdges() ||", "true ||", SPLIT_TESTS),
-    of_draft("a split mixes up the halves of a face", "Filters/Core/EditFilters/SurfaceChange.cxx",
+    of_draft("a split mixes up the halves of a face", "Filters/Core/Proof/EditFilters/SurfaceChange.cxx",
              "{ face, { a, vertex, c }, {", "{ made, { a, vertex, c }, {", SPLIT_TESTS),
-    of_draft("a split counts as proved", "Filters/Core/Edit/SplitEdit.cxx",
+    of_draft("a split counts as proved", "Filters/Core/Decimate/Edit/SplitEdit.cxx",
              "const Decision decision = this->RunFilters(work);", "this->RunFilters(work); const Decision decision = Decision::Accept();", SPLIT_TESTS),
     Mutant("a split gives a face the labels of the removed one", "Filters/Core/Mesh/HalfEdgeMesh.cxx",
            "this->InputFaces[made] = this->InputFaces[Face(h)];", "", SPLIT_TESTS),
-    of_draft("an id that a split takes stays free", "Filters/Core/Edit/SplitEdit.cxx",
+    of_draft("an id that a split takes stays free", "Filters/Core/Decimate/Edit/SplitEdit.cxx",
              "this->VertexSlots->Take(edit.Keep);", "", SPLIT_TESTS),
-    of_draft("struts of bone are cut as tunnels are closed", "Filters/Core/Tunnels/CloseTunnels.cxx",
+    of_draft("struts of bone are cut as tunnels are closed", "Filters/Core/Repair/Tunnels/CloseTunnels.cxx",
              ": inwards < -clear * all   ? Surrounded::Bone", ": inwards < -clear * all   ? Surrounded::Tunnel", TUNNEL_TESTS),
-    of_draft("plugs may intersect the surface", "Filters/Core/Tunnels/TunnelPlug.cxx", " || this->Intersects(plug))", ")", TUNNEL_TESTS),
+    of_draft("plugs may intersect the surface", "Filters/Core/Repair/Tunnels/TunnelPlug.cxx", " || this->Intersects(plug))", ")", TUNNEL_TESTS),
 )

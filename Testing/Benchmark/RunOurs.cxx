@@ -16,10 +16,10 @@
 #include "Meter.h"
 #include "TriangleFile.h"
 
-#include "Certificate/Certificate.h"
-#include "Decimate.h"
-#include "Kernels/Kernels.h"
+#include "Decimate/Kernels/Kernels.h"
 #include "Options/OptionTable.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Decimate.h"
 #include "vtkBoneDecimate.h"
 
 #include "vtkCellArray.h"

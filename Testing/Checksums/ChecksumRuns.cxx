@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChecksumRuns.h"
 
-#include "Decimate.h"
 #include "Levels/LogBytes.h"
+#include "Run/Decimate.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 #include "BruteForce.h"
 #include "ImageLabels.h"
 #include "LabelImages.h"
-#include "LabelMap/LabelSurfaces.h"
 #include "LabelMapArrays.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
 #include "VtkSurfaces.h"
 
 #include "vtkBoneSurfaces.h"

@@ -3,7 +3,7 @@
 // A value outside its range is an error event when it is set; the value before stays, and updates fail with the same sentence
 // until that property gets a valid value. PropertyTests.cxx does the same for vtkBoneDecimate.
 #include "LabelImages.h"
-#include "Modes.h"
+#include "Options/Modes.h"
 #include "RejectionWalk.h"
 #include "VtkSurfaces.h"
 

@@ -3,8 +3,8 @@
 #include "BruteForce.h"
 #include "FilterRun.h"
 #include "Options/OptionTable.h"
-#include "Report/ProofSentence.h"
-#include "Report/ReportFigures.h"
+#include "Run/Report/ProofSentence.h"
+#include "Run/Report/ReportFigures.h"
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Report/ReportFigures.h"
+#include "Run/Report/ReportFigures.h"
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkBoneDecimate keeps the tolerances of an array, and leaves bit for bit what has none.
 #include "FilterRun.h"
-#include "Modes.h"
+#include "Options/Modes.h"
 #include "VtkSurfaces.h"
 
 #include "vtkBoneSurfaceDistance.h"

@@ -8,7 +8,7 @@
 #ifndef BoneDecimate_Testing_VtkSurfaces_h
 #define BoneDecimate_Testing_VtkSurfaces_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

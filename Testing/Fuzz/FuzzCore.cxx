@@ -8,10 +8,10 @@
  *             number of points, three bytes each; then triangles, three bytes each
  */
 #include "Bytes.h"
-#include "Certificate/Certificate.h"
-#include "Decimate.h"
-#include "Diagnostics/Diagnostics.h"
-#include "Input/Labels.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Repair/Diagnostics/Diagnostics.h"
+#include "Run/Decimate.h"
+#include "Run/Input/Labels.h"
 
 #include <cmath>
 #include <cstdio>

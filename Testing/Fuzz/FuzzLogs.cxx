@@ -10,7 +10,7 @@
  */
 #include "Bytes.h"
 #include "ForgedLog.h"
-#include "Levels.h"
+#include "Run/Levels.h"
 #include "Shapes.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@
  */
 #include "Bytes.h"
 #include "Geometry/ExactPredicates.h"
-#include "VoxelGuard/ColumnCrossing.h"
+#include "Labels/VoxelGuard/ColumnCrossing.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The content of the HTML page of a run.
+#include "Base/Text.h"
 #include "NumberText.h"
-#include "Options/Text.h"
 #include "Page.h"
 
 #include "vtkBoneDecimate.h"

@@ -8,8 +8,8 @@
  *
  * Prints JSON. CGAL's figure is the distance in each direction within the error. Both use one thread.
  */
-#include "Certificate/Certificate.h"
 #include "CgalMesh.h"
+#include "Proof/Certificate/Certificate.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>

@@ -7,9 +7,9 @@
 #ifndef BoneDecimate_Testing_LabelMaps_h
 #define BoneDecimate_Testing_LabelMaps_h
 
-#include "LabelMap/VoxelGrid.h"
+#include "Geometry/Surface.h"
+#include "Labels/LabelMap/VoxelGrid.h"
 #include "Shapes.h"
-#include "Surface.h"
 
 #include <array>
 #include <cstdint>

@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Testing_LabelShapes_h
 #define BoneDecimate_Testing_LabelShapes_h
 
-#include "LabelMap/VoxelGrid.h"
-#include "Surface.h"
+#include "Geometry/Surface.h"
+#include "Labels/LabelMap/VoxelGrid.h"
 
 #include <functional>
 

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Testing_Random_h
 #define BoneDecimate_Testing_Random_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <cstdint>
 

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Testing_Shapes_h
 #define BoneDecimate_Testing_Shapes_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <array>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Testing_Tubes_h
 #define BoneDecimate_Testing_Tubes_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <vector>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Edits that are checked at the same time and applied one after the other: what the check of each read has not changed.
+#include "Base/WorkerTeam.h"
 #include "BruteForce.h"
-#include "Edit/Editor.h"
-#include "ErrorBound/Coverage.h"
+#include "Decimate/Edit/Editor.h"
+#include "Decimate/Schedule/BucketSweep.h"
+#include "Proof/ErrorBound/Coverage.h"
 #include "Runs.h"
-#include "Schedule/BucketSweep.h"
-#include "WorkerTeam.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Decimate/Schedule/BucketLists.h"
 #include "Random.h"
-#include "Schedule/BucketLists.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
-#include "Edit/Editor.h"
-#include "Edit/RingQuadrics.h"
-#include "Kernels/Kernels.h"
+#include "Decimate/Edit/Editor.h"
+#include "Decimate/Edit/RingQuadrics.h"
+#include "Decimate/Kernels/Kernels.h"
+#include "Decimate/Schedule/BucketSweep.h"
 #include "Mesh/MeanEdgeLength.h"
 #include "Random.h"
 #include "Runs.h"
-#include "Schedule/BucketSweep.h"
 
 #include <gtest/gtest.h>
 

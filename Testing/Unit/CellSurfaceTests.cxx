@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces of cells: neighboring cells fit together, each label has a manifold surface, no edge crosses a face of the cell.
-#include "LabelMap/CellSurface.h"
+#include "Labels/LabelMap/CellSurface.h"
 #include "Random.h"
 
 #include <gtest/gtest.h>

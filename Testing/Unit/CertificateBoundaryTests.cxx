@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/EdgeSides.h"
-#include "Certificate/Foot.h"
 #include "CertificatePairs.h"
-#include "Decimate.h"
+#include "Proof/Certificate/EdgeSides.h"
+#include "Proof/Certificate/Foot.h"
+#include "Run/Decimate.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

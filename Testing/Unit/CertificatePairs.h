@@ -8,8 +8,8 @@
 #define BoneDecimate_Testing_CertificatePairs_h
 
 #include "BruteForce.h"
-#include "Certificate/Certificate.h"
-#include "Certificate/EdgeSides.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Proof/Certificate/EdgeSides.h"
 #include "Random.h"
 #include "Shapes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/SideFinder.h"
 #include "CertificatePairs.h"
+#include "Proof/Certificate/SideFinder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/Frame.h"
-#include "Certificate/Search.h"
-#include "Certificate/Target.h"
 #include "CertificatePairs.h"
+#include "Proof/Certificate/Frame.h"
+#include "Proof/Certificate/Search.h"
+#include "Proof/Certificate/Target.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
-#include "Edit/Editor.h"
+#include "Decimate/Edit/Editor.h"
 #include "Random.h"
 #include "Runs.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Where columns of voxel centers cross triangles, against integers of any size with a displacement that is really made.
+#include "Labels/VoxelGuard/ColumnCrossing.h"
 #include "Random.h"
-#include "VoxelGuard/ColumnCrossing.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Input/ComponentCensus.h"
-#include "Input/Prune.h"
+#include "Run/Input/ComponentCensus.h"
+#include "Run/Input/Prune.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

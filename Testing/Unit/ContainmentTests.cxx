@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which components lie within which others: nested and separate shapes, among them shapes whose faces lie along the axes.
-#include "Intersections/Containment.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/Statistics.h"
+#include "Proof/Guard/Containment.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // A run that continues another: its error refers to the original of both, and its certificate to what it has changed.
-#include "Decimate.h"
-#include "LabelMap/LabelSurfaces.h"
 #include "LabelMaps.h"
-#include "Pieces/ContinuedProof.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
+#include "Partition/Slabs/ContinuedProof.h"
+#include "Run/Decimate.h"
 #include "Runs.h"
 #include "Shapes.h"
 

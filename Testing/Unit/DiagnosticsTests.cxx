@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
-#include "Diagnostics/Diagnostics.h"
 #include "Random.h"
+#include "Repair/Diagnostics/Diagnostics.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

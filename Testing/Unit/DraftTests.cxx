@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Collapses that are drafted, proved together and undone: compared with the mesh as it was, edit by edit, and by brute force.
-#include "Certificate/Certificate.h"
 #include "Crossings.h"
-#include "Edit/Editor.h"
-#include "EditFilters/EditJournal.h"
-#include "Levels.h"
+#include "Decimate/Edit/Editor.h"
 #include "Mesh/Invariants.h"
 #include "MeshState.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Proof/EditFilters/EditJournal.h"
+#include "Run/Levels.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // What closing tunnels is made of.
-#include "Caps/LeastAreaContour.h"
+#include "Repair/Caps/LeastAreaContour.h"
+#include "Repair/Tunnels/EdgeGraph.h"
+#include "Repair/Tunnels/WordBasis.h"
 #include "Shapes.h"
-#include "Tunnels/EdgeGraph.h"
-#include "Tunnels/WordBasis.h"
 
 #include <gtest/gtest.h>
 

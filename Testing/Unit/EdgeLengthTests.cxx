@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Edge splits, and runs with an edge length.
-#include "Certificate/Certificate.h"
-#include "Edit/Editor.h"
+#include "Decimate/Edit/Editor.h"
 #include "Geometry/TriangleGeometry.h"
 #include "LabeledSurfaces.h"
 #include "LevelRuns.h"
 #include "Mesh/FreeSlots.h"
 #include "Mesh/Invariants.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Random.h"
 #include "Runs.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An edit is applied only if every filter accepts it, and only then do filters commit.
 #include "BruteForce.h"
-#include "Edit/Editor.h"
+#include "Decimate/Edit/Editor.h"
 #include "Mesh/Invariants.h"
 #include "Runs.h"
 

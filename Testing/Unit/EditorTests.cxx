@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
-#include "Cost/NormalFieldDeviation.h"
+#include "Decimate/Cost/NormalFieldDeviation.h"
+#include "Decimate/Stages/ThesisCollapse.h"
 #include "Mesh/Invariants.h"
 #include "Mesh/MeanEdgeLength.h"
 #include "Runs.h"
-#include "Stages/ThesisCollapse.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The certificate, which is independent of the proofs of a run, confirms that the largest error is kept.
-#include "Certificate/Certificate.h"
 #include "Mesh/Cleaning.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

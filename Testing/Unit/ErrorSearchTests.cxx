@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // From a number of triangles to the smallest error that can be proved, and the curve.
-#include "Certificate/Certificate.h"
-#include "ErrorSearch.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/ErrorSearch.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

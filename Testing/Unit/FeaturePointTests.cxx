@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Input/FeaturePoints.h"
+#include "Run/Input/FeaturePoints.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // The intersection guard where triangles lie in one plane, touch, or are very near: it neither hinders nor lets through.
 #include "BruteForce.h"
 #include "Crossings.h"
-#include "Edit/Editor.h"
+#include "Decimate/Edit/Editor.h"
 #include "Geometry/ExactPredicates.h"
 #include "GuardedOptions.h"
 #include "Random.h"

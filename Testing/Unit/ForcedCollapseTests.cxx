@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Collapses that keep the error bound only together with moves around them, and the modes that make them.
+#include "Decimate/Stages/PatchFit.h"
+#include "Decimate/Stages/SlackCandidates.h"
+#include "Decimate/Stages/SlackRefinement.h"
 #include "Levels/LevelStack.h"
 #include "Mesh/Invariants.h"
 #include "MeshState.h"
 #include "SlackBench.h"
-#include "Stages/PatchFit.h"
-#include "Stages/SlackCandidates.h"
-#include "Stages/SlackRefinement.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include "BruteForce.h"
 #include "Crossings.h"
 #include "GuardedEditor.h"
-#include "Intersections/GapRule.h"
-#include "Intersections/TrianglePair.h"
 #include "Mesh/ManifoldPatches.h"
+#include "Proof/Guard/GapRule.h"
+#include "Proof/Guard/TrianglePair.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

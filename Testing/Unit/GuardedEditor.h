@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Testing_GuardedEditor_h
 #define BoneDecimate_Testing_GuardedEditor_h
 
-#include "Edit/Editor.h"
+#include "Decimate/Edit/Editor.h"
 
 namespace bonedecimate::testsupport
 {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Vertices of high valence: work that grows with the triangles and not with their square, and results as small as they should be.
-#include "Certificate/Certificate.h"
+#include "Decimate/Schedule/BucketSweep.h"
 #include "Geometry/BoundingTree.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
-#include "Schedule/BucketSweep.h"
 
 #include <gtest/gtest.h>
 

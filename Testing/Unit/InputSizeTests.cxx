@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Input/InputSize.h"
+#include "Run/Input/InputSize.h"
 
-#include "Certificate/Certificate.h"
-#include "ErrorSearch.h"
 #include "Options/OptionTable.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/ErrorSearch.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

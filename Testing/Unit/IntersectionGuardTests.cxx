@@ -3,8 +3,8 @@
 // With a largest error, gaps keep half of their width and nothing intersects that did not before. By brute force.
 #include "Crossings.h"
 #include "GuardedOptions.h"
-#include "Intersections/GapRule.h"
-#include "Intersections/TrianglePair.h"
+#include "Proof/Guard/GapRule.h"
+#include "Proof/Guard/TrianglePair.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors of joining the results of regions to the rest are found.
-#include "Certificate/Certificate.h"
 #include "Crossings.h"
-#include "Regions/JoinRegions.h"
-#include "Regions/RegionCut.h"
-#include "Regions/RegionMatch.h"
-#include "Regions/RegionReport.h"
+#include "Partition/Regions/JoinRegions.h"
+#include "Partition/Regions/RegionCut.h"
+#include "Partition/Regions/RegionMatch.h"
+#include "Partition/Regions/RegionReport.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

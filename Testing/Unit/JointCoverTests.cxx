@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/Frame.h"
-#include "Certificate/JointCover.h"
-#include "Certificate/Search.h"
 #include "CertificatePairs.h"
+#include "Proof/Certificate/Frame.h"
+#include "Proof/Certificate/JointCover.h"
+#include "Proof/Certificate/Search.h"
 
 #include <gtest/gtest.h>
 

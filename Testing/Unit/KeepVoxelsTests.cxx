@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole runs on surfaces of label maps: no voxel changes where voxels are guarded, and the check sees it where they are not.
 #include "BruteForce.h"
-#include "Certificate/Certificate.h"
-#include "LabelMap/LabelSurfaces.h"
-#include "LabelMap/VoxelCheck.h"
 #include "LabelMaps.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
+#include "Labels/LabelMap/VoxelCheck.h"
 #include "NoisyBones.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernels against the scalar references of Cost/ and Placement/, bit for bit, in every set that this processor runs.
-#include "Cost/AccumulatedError.h"
-#include "Cost/QuadricDeviation.h"
-#include "Cost/SpikePenalty.h"
-#include "Edit/Editor.h"
-#include "Kernels/Kernels.h"
-#include "Placement/VolumePreserving.h"
+#include "Decimate/Cost/AccumulatedError.h"
+#include "Decimate/Cost/QuadricDeviation.h"
+#include "Decimate/Cost/SpikePenalty.h"
+#include "Decimate/Edit/Editor.h"
+#include "Decimate/Kernels/Kernels.h"
+#include "Decimate/Placement/VolumePreserving.h"
 #include "Random.h"
 #include "Runs.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Islands and cavities of label maps: against brute force, and what each of them becomes.
-#include "LabelMap/ChangePieces.h"
+#include "Labels/LabelMap/ChangePieces.h"
 
 #include "LabelMaps.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces of a label map that comes in slabs: joined they are those of the whole, bit for bit.
-#include "LabelMap/LabelSurfaces.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
 
 #include "LabelMaps.h"
 

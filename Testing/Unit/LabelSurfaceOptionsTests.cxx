@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Options of the extraction of label maps, types of labels, and input that is rejected.
 #include "BruteForce.h"
-#include "LabelMap/LabelSurfaces.h"
 #include "LabelMaps.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
 
 #include <gtest/gtest.h>
 

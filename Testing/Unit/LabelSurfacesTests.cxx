@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces of label maps: voxelized again they give every label, each label's surface is closed and manifold.
-#include "LabelMap/LabelSurfaces.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
 
 #include "BruteForce.h"
-#include "LabelMap/SingleLabel.h"
 #include "LabelMaps.h"
+#include "Labels/LabelMap/SingleLabel.h"
 #include "Random.h"
 
 #include <gtest/gtest.h>

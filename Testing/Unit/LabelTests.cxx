@@ -6,7 +6,7 @@
 #include "Mesh/ManifoldPatches.h"
 #include "Mesh/PatchBoundaries.h"
 #include "NoisyBones.h"
-#include "Report/ReportTable.h"
+#include "Run/Report/ReportTable.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

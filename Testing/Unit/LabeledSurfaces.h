@@ -8,8 +8,8 @@
 #define BoneDecimate_Testing_LabeledSurfaces_h
 
 #include "BruteForce.h"
-#include "Decimate.h"
 #include "Geometry/TriangleGeometry.h"
+#include "Run/Decimate.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Memory/LargeArray.h"
+#include "Base/LargeArray.h"
 
 #include <gtest/gtest.h>
 

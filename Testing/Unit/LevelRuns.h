@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Testing_LevelRuns_h
 #define BoneDecimate_Testing_LevelRuns_h
 
-#include "Levels.h"
+#include "Run/Levels.h"
 #include "Runs.h"
 
 namespace bonedecimate::testsupport

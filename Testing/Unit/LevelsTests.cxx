@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Levels compared with the recorded run, with its edits applied one by one, and with runs that stop there.
-#include "Edit/Editor.h"
+#include "Decimate/Edit/Editor.h"
 #include "LevelRuns.h"
-#include "Measure/SurfaceDistance.h"
 #include "Mesh/SpatialOrder.h"
+#include "Proof/Measure/SurfaceDistance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Edge lengths by an array and by curvature.
-#include "Certificate/Certificate.h"
-#include "Input/EdgeLengths.h"
 #include "LabeledSurfaces.h"
 #include "Mesh/Curvature.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Random.h"
+#include "Run/Input/EdgeLengths.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Non-manifold surfaces are split into patches, simplified up to their boundaries, and joined again.
 #include "BruteForce.h"
-#include "Edit/Editor.h"
-#include "Edit/PatchRules.h"
+#include "Decimate/Edit/Editor.h"
+#include "Decimate/Edit/PatchRules.h"
 #include "Mesh/Invariants.h"
 #include "Mesh/ManifoldPatches.h"
 #include "Mesh/SpatialOrder.h"

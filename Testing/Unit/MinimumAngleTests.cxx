@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs with a least angle, and what keeps it. Angles are measured by acos.
-#include "Certificate/Certificate.h"
-#include "EditFilters/ShapeFilter.h"
+#include "Decimate/Stages/RingShape.h"
+#include "Decimate/Stages/ShapeImprover.h"
 #include "Geometry/SmallestAngle.h"
 #include "Mesh/Invariants.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Proof/EditFilters/ShapeFilter.h"
 #include "Runs.h"
-#include "Stages/RingShape.h"
-#include "Stages/ShapeImprover.h"
 
 #include <gtest/gtest.h>
 

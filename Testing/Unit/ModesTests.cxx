@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of modes: rows that its parts can carry out, and names that options, report and messages take from it.
-#include "Modes.h"
+#include "Options/Modes.h"
 
-#include "Cost/QuadricDeviation.h"
-#include "Kernels/EdgeEvaluator.h"
+#include "Decimate/Cost/QuadricDeviation.h"
+#include "Decimate/Kernels/EdgeEvaluator.h"
+#include "Decimate/Placement/AlternatePositions.h"
+#include "Decimate/Placement/VolumePreserving.h"
+#include "Decimate/Stages/CollapseStage.h"
 #include "Options/OptionTable.h"
-#include "Placement/AlternatePositions.h"
-#include "Placement/VolumePreserving.h"
 #include "Runs.h"
-#include "Stages/CollapseStage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Decimate.h"
 #include "Geometry/NearSurface.h"
+#include "Run/Decimate.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Testing_NoisyBones_h
 #define BoneDecimate_Testing_NoisyBones_h
 
-#include "LabelMap/LabelSurfaces.h"
 #include "LabelMaps.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
 #include "Random.h"
 
 #include <cmath>

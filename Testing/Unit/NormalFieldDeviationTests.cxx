@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cost/NormalFieldDeviation.h"
+#include "Decimate/Cost/NormalFieldDeviation.h"
 #include "Mesh/MeanEdgeLength.h"
 #include "Runs.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/OverlayCover.h"
 #include "CertificatePairs.h"
+#include "Proof/Certificate/OverlayCover.h"
 
 #include <gtest/gtest.h>
 

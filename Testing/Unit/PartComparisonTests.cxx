@@ -3,10 +3,10 @@
 // Area, volume and thickness of components and labels, and the warnings about them.
 #include "LabelMaps.h"
 #include "LabeledSurfaces.h"
-#include "Measure/Thickness.h"
 #include "Mesh/SurfaceParts.h"
 #include "NoisyBones.h"
-#include "Report/ReportTable.h"
+#include "Proof/Measure/Thickness.h"
+#include "Run/Report/ReportTable.h"
 #include "Runs.h"
 #include "SmoothingRuns.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
-#include "Edit/CollapseRules.h"
-#include "Edit/Editor.h"
-#include "Placement/PlaneQuadric.h"
+#include "Decimate/Edit/CollapseRules.h"
+#include "Decimate/Edit/Editor.h"
+#include "Decimate/Placement/PlaneQuadric.h"
 #include "Random.h"
 #include "Runs.h"
 

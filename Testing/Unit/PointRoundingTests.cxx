@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Points of the output on a grid: the certificate confirms that the largest error is kept by what is written.
-#include "Certificate/Certificate.h"
 #include "Mesh/PointRounding.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The steps of the proof with random triangles: every proved bound holds point by point.
 #include "BruteForce.h"
-#include "ErrorBound/CommonFaceProof.h"
-#include "ErrorBound/ErrorBound.h"
-#include "ErrorBound/FaceProof.h"
-#include "ErrorBound/PlaneCover.h"
+#include "Proof/ErrorBound/CommonFaceProof.h"
+#include "Proof/ErrorBound/ErrorBound.h"
+#include "Proof/ErrorBound/FaceProof.h"
+#include "Proof/ErrorBound/PlaneCover.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Decimate.h"
-#include "Levels.h"
-#include "Report/ReportTable.h"
+#include "Run/Decimate.h"
+#include "Run/Levels.h"
+#include "Run/Report/ReportTable.h"
 #include "Runs.h"
 #include "Shapes.h"
 

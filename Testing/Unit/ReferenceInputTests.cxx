@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The certificate confirms that a result used as input again keeps the largest error relative to the first original.
-#include "Certificate/Certificate.h"
-#include "Input/ReferenceInput.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Input/ReferenceInput.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flips, moves and collapses by sampled error, and the modes made of them.
 #include "BruteForce.h"
+#include "Decimate/Schedule/BucketSweep.h"
+#include "Decimate/Stages/EdgeFlipper.h"
+#include "Decimate/Stages/ErrorCollapse.h"
+#include "Decimate/Stages/FitStep.h"
+#include "Decimate/Stages/VertexBlocks.h"
+#include "Decimate/Stages/VertexMover.h"
 #include "Mesh/Invariants.h"
 #include "Mesh/SpatialOrder.h"
 #include "Runs.h"
-#include "Schedule/BucketSweep.h"
-#include "Stages/EdgeFlipper.h"
-#include "Stages/ErrorCollapse.h"
-#include "Stages/FitStep.h"
-#include "Stages/VertexBlocks.h"
-#include "Stages/VertexMover.h"
 
 #include <gtest/gtest.h>
 

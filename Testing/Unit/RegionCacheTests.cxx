@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Which regions a run has, when the whole is run instead, and what is kept between runs.
-#include "Certificate/Certificate.h"
+#include "Proof/Certificate/Certificate.h"
 #include "RegionRuns.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // A run over regions changes nothing else, and its report is that of the whole surface.
-#include "Certificate/Certificate.h"
 #include "Crossings.h"
 #include "LabeledSurfaces.h"
 #include "Mesh/Statistics.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Random.h"
 #include "RegionRuns.h"
 

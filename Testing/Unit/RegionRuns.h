@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Testing_RegionRuns_h
 #define BoneDecimate_Testing_RegionRuns_h
 
-#include "Regions/RegionCache.h"
+#include "Partition/Regions/RegionCache.h"
 #include "Runs.h"
 
 #include <algorithm>

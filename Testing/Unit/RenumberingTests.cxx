@@ -3,8 +3,8 @@
 // The same surface with its points and triangles in another order has the same result up to indices. Equal points that are not
 // merged, and equal triangles, keep the order of the input (SpatialOrder.h): these runs have none.
 #include "BruteForce.h"
-#include "Decimate.h"
 #include "Random.h"
+#include "Run/Decimate.h"
 #include "Runs.h"
 #include "Shapes.h"
 

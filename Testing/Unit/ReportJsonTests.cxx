@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/Certificate.h"
-#include "Report/CertificateTable.h"
-#include "Report/ReportFigures.h"
-#include "Report/ReportJson.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Report/CertificateTable.h"
+#include "Run/Report/ReportFigures.h"
+#include "Run/Report/ReportJson.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/Certificate.h"
 #include "Options/OptionTable.h"
-#include "Report/ReportTable.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Report/ReportTable.h"
 
 #include <gtest/gtest.h>
 

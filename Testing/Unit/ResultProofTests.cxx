@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The certificate of a run and the bounds at points, compared with the distances of single points.
-#include "Certificate/Certificate.h"
-#include "Output/ResultProof.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Output/ResultProof.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

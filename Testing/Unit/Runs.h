@@ -8,8 +8,8 @@
 #define BoneDecimate_Testing_Runs_h
 
 #include "BruteForce.h"
-#include "Decimate.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "Run/Decimate.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Relations between the current faces and the original: nearest points, walks, samples.
 #include "BruteForce.h"
+#include "Decimate/Schedule/BucketSweep.h"
 #include "Geometry/TriangleFrame.h"
+#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/Samples.h"
 #include "Random.h"
-#include "Reference/BackHints.h"
-#include "Reference/Samples.h"
 #include "Runs.h"
-#include "Schedule/BucketSweep.h"
 
 #include <gtest/gtest.h>
 

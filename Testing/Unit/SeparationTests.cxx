@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // How near a surface comes to itself: against the thickness and the gaps of shapes that are known, and distances by brute force.
-#include "Certificate/Certificate.h"
 #include "Crossings.h"
 #include "GuardedEditor.h"
-#include "Intersections/Separation.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/Statistics.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Proof/Guard/Separation.h"
 #include "Runs.h"
 #include "Shapes.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Edges that smoothing keeps by their angle.
-#include "Certificate/Certificate.h"
 #include "Geometry/TriangleGeometry.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
 #include "Smoothing/SharpEdges.h"
 #include "Smoothing/SmoothingGraph.h"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The surface of one label: its triangles turned outward, vertices split where the label touches itself.
-#include "LabelMap/SingleLabel.h"
+#include "Labels/LabelMap/SingleLabel.h"
 
 #include "BruteForce.h"
-#include "LabelMap/LabelSurfaces.h"
 #include "LabelMaps.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/Certificate.h"
 #include "Crossings.h"
-#include "Decimate.h"
 #include "Mesh/Statistics.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Decimate.h"
 #include "SlabRuns.h"
 
 #include <gtest/gtest.h>

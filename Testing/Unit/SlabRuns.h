@@ -8,7 +8,7 @@
 #define BoneDecimate_Testing_SlabRuns_h
 
 #include "NoisyBones.h"
-#include "Pieces/SlabRun.h"
+#include "Partition/Slabs/SlabRun.h"
 
 #include <algorithm>
 #include <cmath>

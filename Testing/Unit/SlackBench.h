@@ -7,13 +7,13 @@
 #ifndef BoneDecimate_Testing_SlackBench_h
 #define BoneDecimate_Testing_SlackBench_h
 
-#include "Certificate/Certificate.h"
+#include "Decimate/Schedule/BucketSweep.h"
+#include "Decimate/Stages/SlackFit.h"
 #include "GuardedEditor.h"
-#include "Reference/BackHints.h"
-#include "Reference/Samples.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/Samples.h"
 #include "Runs.h"
-#include "Schedule/BucketSweep.h"
-#include "Stages/SlackFit.h"
 
 #include <vector>
 

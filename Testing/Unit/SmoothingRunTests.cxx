@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that smooth first: the certificate confirms the error relative to the input, and everything a run knows applies.
-#include "Certificate/Certificate.h"
-#include "Input/SmoothingPlan.h"
 #include "LabeledSurfaces.h"
 #include "LevelRuns.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Input/SmoothingPlan.h"
 #include "SmoothingRuns.h"
 
 #include <gtest/gtest.h>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Thin spikes, whose tips have no area: accumulated error of a collapse, its penalty, and the distance of results.
 #include "BruteForce.h"
-#include "Cost/SampledErrorCost.h"
+#include "Decimate/Cost/SampledErrorCost.h"
+#include "Decimate/Schedule/BucketSweep.h"
 #include "Mesh/SpatialOrder.h"
 #include "Random.h"
 #include "Runs.h"
-#include "Schedule/BucketSweep.h"
 
 #include <gtest/gtest.h>
 

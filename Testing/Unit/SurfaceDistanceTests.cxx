@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Parallel.h"
 #include "BruteForce.h"
-#include "Measure/SurfaceDistance.h"
 #include "Mesh/Cleaning.h"
-#include "Parallel.h"
+#include "Proof/Measure/SurfaceDistance.h"
 #include "Random.h"
 #include "Shapes.h"
 

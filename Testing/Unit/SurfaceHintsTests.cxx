@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Decimate.h"
 #include "Random.h"
-#include "RunWarnings.h"
+#include "Run/Decimate.h"
+#include "Run/RunWarnings.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // A surface that several runs simplify in parts: smoothed as a whole, and constrained where parts meet.
-#include "Certificate/Certificate.h"
-#include "Decimate.h"
 #include "LevelRuns.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Decimate.h"
 #include "SmoothingRuns.h"
 
 #include <gtest/gtest.h>

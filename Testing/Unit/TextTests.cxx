@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Options/Text.h"
+#include "Base/Text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The certificate confirms that tolerances are kept; points with a tolerance of 0 do not change in any bit.
-#include "Certificate/Certificate.h"
-#include "ErrorBound/ErrorBound.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Proof/ErrorBound/ErrorBound.h"
 #include "Random.h"
 #include "Runs.h"
 

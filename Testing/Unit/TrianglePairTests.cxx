@@ -3,8 +3,8 @@
 // Intersection of triangles compared with tests of all edges in long double; cells and distances compared with samples.
 #include "BruteForce.h"
 #include "Crossings.h"
-#include "Intersections/FaceGrid.h"
-#include "Intersections/TrianglePair.h"
+#include "Proof/Guard/FaceGrid.h"
+#include "Proof/Guard/TrianglePair.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

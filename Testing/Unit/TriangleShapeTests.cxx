@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The figures of triangle shapes, against angles from acos and shapes that are known.
 #include "Geometry/SmallestAngle.h"
-#include "Input/EdgeLengths.h"
 #include "Mesh/TriangleShapes.h"
-#include "Output/CompareShapes.h"
+#include "Run/Input/EdgeLengths.h"
+#include "Run/Output/CompareShapes.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

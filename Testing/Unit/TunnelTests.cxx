@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Crossings.h"
-#include "Report/ReportTable.h"
+#include "Run/Report/ReportTable.h"
 #include "Runs.h"
 #include "Shapes.h"
 

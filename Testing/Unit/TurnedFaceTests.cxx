@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // No triangle is turned over, in one step or in many: faces keep their ids, so each can be compared with its original.
+#include "Decimate/Stages/StageList.h"
 #include "Mesh/SpatialOrder.h"
 #include "Runs.h"
-#include "Stages/StageList.h"
 
 #include <gtest/gtest.h>
 

@@ -40,7 +40,8 @@ TEST(UnmetNeeds, OfTheErrorNeedOne)
   options.MaximumError = 0.5;
   EXPECT_TRUE(IneffectiveOf(options, Errors).empty());
   options.Mode = Mode::Thesis;
-  EXPECT_EQ(IneffectiveOf(options, Errors), (Names{ "IntersectionGuard", "ProveEachEdit", "ProveResult" }));
+  EXPECT_EQ(
+    IneffectiveOf(options, Errors), (Names{ "IntersectionGuard", "ProveEachEdit", "ProveResult" }));
   options = {};
   options.ToleranceArrayName = "Tolerance";
   EXPECT_EQ(IneffectiveOf(options, Errors), Names{ "IntersectionGuard" });

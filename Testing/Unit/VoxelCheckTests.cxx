@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Voxelized surfaces compared with label maps.
-#include "LabelMap/VoxelCheck.h"
+#include "Labels/LabelMap/VoxelCheck.h"
 #include "NoisyBones.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The voxel grid of a binary surface, from its points alone.
-#include "Input/VoxelGridSearch.h"
+#include "Run/Input/VoxelGridSearch.h"
 
 #include "LabelShapes.h"
 #include "Mesh/SurfaceAssembly.h"

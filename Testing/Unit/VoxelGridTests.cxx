@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Grids of a tilted gantry, and of layers with positions of their own.
-#include "LabelMap/LabelSurfaces.h"
 #include "LabelMaps.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
+#include "Labels/VoxelGuard/CenterLattice.h"
 #include "NoisyBones.h"
 #include "Random.h"
 #include "Smoothing/Smoothing.h"
-#include "VoxelGuard/CenterLattice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether voxel centers lie between two patches, against winding numbers by solid angles.
+#include "Labels/VoxelGuard/VoxelPatch.h"
 #include "Random.h"
-#include "VoxelGuard/VoxelPatch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The voxel size of a surface, and the error presets.
-#include "Input/VoxelSize.h"
 #include "Mesh/SurfaceAssembly.h"
+#include "Run/Input/VoxelSize.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Certificate/Certificate.h"
 #include "Mesh/Statistics.h"
-#include "Pieces/ZoneRun.h"
+#include "Partition/Slabs/ZoneRun.h"
+#include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
 #include "Shapes.h"
 

@@ -3,13 +3,13 @@
 // What the worker of the package calls: each function takes and returns plain objects and typed arrays. Problems are the text
 // `problem` of what is returned; nothing is thrown.
 #include "BindOptions.h"
-#include "Certificate/Certificate.h"
-#include "Decimate.h"
-#include "LabelMap/LabelSurfaces.h"
-#include "Report/CertificateTable.h"
-#include "Report/ReportJson.h"
-#include "Report/ReportTable.h"
-#include "RunWarnings.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Decimate.h"
+#include "Run/Report/CertificateTable.h"
+#include "Run/Report/ReportJson.h"
+#include "Run/Report/ReportTable.h"
+#include "Run/RunWarnings.h"
 #include "Values.h"
 
 #include <emscripten/bind.h>

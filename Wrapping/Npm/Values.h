@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Npm_Values_h
 #define BoneDecimate_Npm_Values_h
 
-#include "Monitor.h"
-#include "Surface.h"
+#include "Base/Monitor.h"
+#include "Geometry/Surface.h"
 
 #include <emscripten/val.h>
 

@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Wheel_Arrays_h
 #define BoneDecimate_Wheel_Arrays_h
 
-#include "Report/ReportTable.h"
-#include "Surface.h"
+#include "Geometry/Surface.h"
+#include "Run/Report/ReportTable.h"
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays.h"
 #include "Bindings.h"
-#include "Caps/CloseBoundaries.h"
+#include "Repair/Caps/CloseBoundaries.h"
 
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays.h"
 #include "Bindings.h"
-#include "Certificate/Certificate.h"
 #include "Listener.h"
-#include "Output/ListLeftOut.h"
-#include "Report/CertificateTable.h"
-#include "Report/ReportJson.h"
+#include "Proof/Certificate/Certificate.h"
+#include "Run/Output/ListLeftOut.h"
+#include "Run/Report/CertificateTable.h"
+#include "Run/Report/ReportJson.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>

@@ -6,13 +6,13 @@
 #include "Bindings.h"
 #include "Listener.h"
 #include "Mesh/Checksum.h"
-#include "Regions/RegionCache.h"
-#include "Report/ProofSentence.h"
-#include "Report/ReportCells.h"
-#include "Report/ReportFigures.h"
-#include "Report/ReportJson.h"
-#include "Report/ReportTable.h"
-#include "RunWarnings.h"
+#include "Partition/Regions/RegionCache.h"
+#include "Run/Report/ProofSentence.h"
+#include "Run/Report/ReportCells.h"
+#include "Run/Report/ReportFigures.h"
+#include "Run/Report/ReportJson.h"
+#include "Run/Report/ReportTable.h"
+#include "Run/RunWarnings.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>

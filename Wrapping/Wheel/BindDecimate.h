@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Wrapping_Wheel_BindDecimate_h
 #define BoneDecimate_Wrapping_Wheel_BindDecimate_h
 
-#include "Decimate.h"
+#include "Run/Decimate.h"
 
 #include <nanobind/nanobind.h>
 

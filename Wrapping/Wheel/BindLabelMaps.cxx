@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays.h"
 #include "Bindings.h"
-#include "LabelMap/ChangePieces.h"
-#include "LabelMap/LabelSurfaces.h"
-#include "LabelMap/SingleLabel.h"
-#include "LabelMap/VoxelCheck.h"
+#include "Labels/LabelMap/ChangePieces.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
+#include "Labels/LabelMap/SingleLabel.h"
+#include "Labels/LabelMap/VoxelCheck.h"
 #include "Listener.h"
 
 #include <nanobind/stl/array.h>

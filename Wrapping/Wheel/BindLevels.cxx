@@ -3,8 +3,8 @@
 #include "Arrays.h"
 #include "BindDecimate.h"
 #include "Bindings.h"
-#include "Levels.h"
 #include "Listener.h"
+#include "Run/Levels.h"
 
 #include <nanobind/stl/unique_ptr.h>
 

@@ -7,10 +7,10 @@
 #include "Options/OptionTableJson.h"
 #include "Options/Profiles.h"
 #include "Options/RunKinds.h"
-#include "Report/ProofSentence.h"
-#include "Report/ReportFigures.h"
-#include "Report/ReportJson.h"
-#include "Report/ReportTable.h"
+#include "Run/Report/ProofSentence.h"
+#include "Run/Report/ReportFigures.h"
+#include "Run/Report/ReportJson.h"
+#include "Run/Report/ReportTable.h"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>

@@ -13,7 +13,7 @@
 #ifndef BoneDecimate_Wheel_Listener_h
 #define BoneDecimate_Wheel_Listener_h
 
-#include "Monitor.h"
+#include "Base/Monitor.h"
 
 #include <nanobind/nanobind.h>
 

@@ -5,11 +5,11 @@
 #include "Explain/ExplainInput.h"
 #include "Figures/BoundText.h"
 #include "FilterOptions.h"
-#include "Input/SmoothingPlan.h"
-#include "Input/VoxelSize.h"
 #include "InputArguments.h"
 #include "NumberText.h"
 #include "OutputRounding.h"
+#include "Run/Input/SmoothingPlan.h"
+#include "Run/Input/VoxelSize.h"
 #include "SurfaceConversion.h"
 
 #include "vtkBoneDecimate.h"

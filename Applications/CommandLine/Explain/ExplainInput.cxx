@@ -5,9 +5,9 @@
 #include "FilePath.h"
 #include "FlagNames.h"
 #include "Formats/FileChecks.h"
-#include "Input/PrepareInput.h"
-#include "Input/Tolerances.h"
 #include "NamedArrays.h"
+#include "Run/Input/PrepareInput.h"
+#include "Run/Input/Tolerances.h"
 #include "SegmentOutput.h"
 
 #include "vtkPolyData.h"

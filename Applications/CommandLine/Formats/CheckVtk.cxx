@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// VTK's legacy format: its reader allocates by what is announced, and follows a file that it has
 /// closed.
+#include "Base/Text.h"
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
 #include "FilePath.h"
 #include "LineReader.h"
-#include "Options/Text.h"
 
 #include <filesystem>
 #include <map>

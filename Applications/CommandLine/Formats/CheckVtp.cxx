@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /// VTK's XML format: its reader says when data are missing, but allocates by what is announced.
+#include "Base/Text.h"
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
 #include "FilePath.h"
 #include "LineReader.h"
-#include "Options/Text.h"
 #include "XmlNesting.h"
 
 #include <algorithm>

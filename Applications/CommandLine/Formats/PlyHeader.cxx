@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlyHeader.h"
 
+#include "Base/Text.h"
 #include "FileChecks.h"
 #include "FileFrame.h"
 #include "FilePath.h"
-#include "Options/Text.h"
 
 #include "vtkDataArray.h"
 

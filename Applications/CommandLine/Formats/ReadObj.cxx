@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Wavefront OBJ has no counts to compare with, so every number and every index is checked.
 /// Not read by VTK, whose reader rounds coordinates to single precision.
+#include "Base/Text.h"
 #include "FileChecks.h"
 #include "FileFrame.h"
 #include "LeftOutOfReader.h"
 #include "LineReader.h"
 #include "ObjCells.h"
-#include "Options/Text.h"
 #include "SurfaceReaders.h"
 
 #include <algorithm>

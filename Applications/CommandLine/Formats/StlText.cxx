@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StlText.h"
 
+#include "Base/Text.h"
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
 #include "FileFrame.h"
 #include "LineReader.h"
-#include "Options/Text.h"
 
 #include <array>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ThreeMfModel.h"
 
+#include "Base/Text.h"
 #include "LineReader.h"
-#include "Options/Text.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkXMLParser.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Text.h"
 #include "LineReader.h"
-#include "Options/Text.h"
 #include "ThreeMfModel.h"
 
 namespace bonedecimate

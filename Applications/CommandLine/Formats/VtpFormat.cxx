@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Text.h"
 #include "FileChecks.h"
 #include "Formats/SurfaceFormat.h"
-#include "Options/Text.h"
 #include "PlainText.h"
 #include "VtkReadersAndWriters.h"
 

@@ -8,7 +8,7 @@
 #include "GlbStreams.h"
 #include "MeshoptStreams.h"
 #include "PointGrid.h"
-#include "Report/Report.h"
+#include "Run/Report/Report.h"
 #include "TextOutput.h"
 
 #include <cmath>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef BONEDECIMATE_HAS_LIBZIP
 
+#include "Base/Text.h"
 #include "ExitCode.h"
 #include "FileParts.h"
-#include "Options/Text.h"
-#include "Report/Report.h"
+#include "Run/Report/Report.h"
 #include "TextOutput.h"
 #include "ThreeMfFiles.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels/LabelTableSearch.h"
 
+#include "Base/Text.h"
 #include "BoneVolume.h"
 #include "FileNames.h"
 #include "FilePath.h"
 #include "FolderEntries.h"
-#include "Options/Text.h"
 #include "PlainText.h"
 
 #include <algorithm>

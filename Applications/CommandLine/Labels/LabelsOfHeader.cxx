@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels/LabelTable.h"
 
+#include "Base/Text.h"
 #include "NiftiExtensions.h"
-#include "Options/Text.h"
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels/LabelTable.h"
 
-#include "Options/Text.h"
+#include "Base/Text.h"
 #include "PlainText.h"
 
 #include <nlohmann/json.hpp>

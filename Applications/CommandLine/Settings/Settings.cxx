@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Settings/Settings.h"
 
+#include "Base/Text.h"
 #include "CommandLine.h"
 #include "ExitCode.h"
 #include "FileNames.h"
 #include "HelpFormatter.h"
 #include "NearestWord.h"
 #include "Options/Profiles.h"
-#include "Options/Text.h"
 #include "Settings/ConfigurationFile.h"
 
 #include <CLI/CLI.hpp>

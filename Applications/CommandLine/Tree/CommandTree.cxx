@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tree/CommandTree.h"
 
+#include "Base/Text.h"
 #include "CommandLine.h"
 #include "HelpFormatter.h"
 #include "Options/Profiles.h"
-#include "Options/Text.h"
 #include "Tree/FileKinds.h"
 
 #include <CLI/CLI.hpp>

@@ -5,7 +5,7 @@
 #include "ExitCode.h"
 #include "HelpFormatter.h"
 #include "Options/Profiles.h"
-#include "Report/Report.h"
+#include "Run/Report/Report.h"
 
 #include <map>
 #include <sstream>

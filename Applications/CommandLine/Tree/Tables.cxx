@@ -4,7 +4,7 @@
 
 #include "Formats/SurfaceFormat.h"
 #include "Mesh/Rejection.h"
-#include "Modes.h"
+#include "Options/Modes.h"
 #include "Options/Options.h"
 
 #include <nlohmann/json.hpp>

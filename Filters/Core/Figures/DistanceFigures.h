@@ -11,7 +11,7 @@
 
 namespace bonedecimate
 {
-enum class ProofStatus : int; // of Certificate/Certificate.h
+enum class ProofStatus : int; // of Proof/Certificate/Certificate.h
 enum class BoundaryPresence : int;
 
 /// Distances of one surface to another, mm.

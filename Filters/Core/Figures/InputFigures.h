@@ -8,7 +8,7 @@
 #define BoneDecimate_Core_Figures_InputFigures_h
 
 #include "DistanceFigures.h"
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <cmath>
 #include <cstdint>

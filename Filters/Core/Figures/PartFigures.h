@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Figures_PartFigures_h
 #define BoneDecimate_Core_Figures_PartFigures_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <cstdint>
 #include <limits>

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Figures_ShapeFigures_h
 #define BoneDecimate_Core_Figures_ShapeFigures_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <array>
 #include <cstdint>

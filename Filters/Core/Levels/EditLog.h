@@ -14,7 +14,7 @@
 #ifndef BoneDecimate_Core_Levels_EditLog_h
 #define BoneDecimate_Core_Levels_EditLog_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <limits>
 #include <vector>

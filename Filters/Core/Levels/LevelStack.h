@@ -17,8 +17,8 @@
 #ifndef BoneDecimate_Core_Levels_LevelStack_h
 #define BoneDecimate_Core_Levels_LevelStack_h
 
+#include "Base/LargeArray.h"
 #include "EditLog.h"
-#include "Memory/LargeArray.h"
 
 #include <optional>
 #include <vector>

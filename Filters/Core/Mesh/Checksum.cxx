@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checksum.h"
 
-#include "Parallel.h"
+#include "Base/Parallel.h"
 #include "SplitMix.h"
 
 #include <algorithm>

@@ -16,7 +16,7 @@
 #ifndef BoneDecimate_Core_Mesh_Checksum_h
 #define BoneDecimate_Core_Mesh_Checksum_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <cstdint>
 #include <string>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cleaning.h"
 
+#include "Base/LargeArray.h"
+#include "Base/Parallel.h"
 #include "EdgeMatching.h"
 #include "Geometry/TriangleGeometry.h"
-#include "Memory/LargeArray.h"
-#include "Parallel.h"
 #include "PointMerging.h"
 
 #include <algorithm>

@@ -16,8 +16,8 @@
 
 #include "Figures/InputFigures.h"
 #include "Figures/InputStatus.h"
+#include "Geometry/Surface.h"
 #include "HalfEdgeMesh.h"
-#include "Surface.h"
 
 #include <vector>
 

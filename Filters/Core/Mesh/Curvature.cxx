@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Curvature.h"
 
+#include "Base/Parallel.h"
 #include "Geometry/Angle.h"
 #include "Geometry/TriangleGeometry.h"
-#include "Parallel.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Mesh_CutEdges_h
 #define BoneDecimate_Core_Mesh_CutEdges_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeMatching.h"
 
+#include "Base/Parallel.h"
 #include "HalfEdgeMesh.h"
-#include "Parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -17,8 +17,8 @@
 #ifndef BoneDecimate_Core_Mesh_EdgeMatching_h
 #define BoneDecimate_Core_Mesh_EdgeMatching_h
 
-#include "Memory/LargeArray.h"
-#include "Surface.h"
+#include "Base/LargeArray.h"
+#include "Geometry/Surface.h"
 #include "VertexConstraint.h"
 
 #include <vector>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EdgeNeighborhood.h"
 
+#include "Base/Prefetch.h"
 #include "Edit.h"
-#include "Memory/Prefetch.h"
 
 #include <algorithm>
 

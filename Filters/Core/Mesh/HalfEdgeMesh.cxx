@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HalfEdgeMesh.h"
 
+#include "Base/Parallel.h"
 #include "EdgeMatching.h"
 #include "EdgeNeighborhood.h"
 #include "Edit.h"
-#include "Parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -21,10 +21,10 @@
 #ifndef BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 
+#include "Base/LargeArray.h"
 #include "EdgeMatching.h"
+#include "Geometry/Surface.h"
 #include "Handles.h"
-#include "Memory/LargeArray.h"
-#include "Surface.h"
 #include "VertexConstraint.h"
 
 #include <algorithm>

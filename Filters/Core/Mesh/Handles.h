@@ -11,7 +11,7 @@
 #ifndef BoneDecimate_Core_Mesh_Handles_h
 #define BoneDecimate_Core_Mesh_Handles_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 namespace bonedecimate
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocalLengths.h"
 
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include <utility>
 

@@ -9,7 +9,7 @@
  *         every fan of triangles gets a duplicate of the point; all duplicates refer to one original vertex and are stationary
  *
  * Duplicates are never moved or removed, so patches are joined by replacing each duplicate by its original vertex.
- * Edit/PatchRules.h prevents two patches from getting further edges in common.
+ * Decimate/Edit/PatchRules.h prevents two patches from getting further edges in common.
  *
  * A. Gueziec, G. Taubin, F. Lazarus, B. Horn, Cutting and stitching: converting sets of polygons to manifold surfaces, 2001.
  */

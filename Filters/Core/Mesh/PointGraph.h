@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Mesh_PointGraph_h
 #define BoneDecimate_Core_Mesh_PointGraph_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <utility>
 #include <vector>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointMerging.h"
 
-#include "Memory/LargeArray.h"
-#include "Parallel.h"
+#include "Base/LargeArray.h"
+#include "Base/Parallel.h"
 
 #include <cstring>
 #include <numeric>

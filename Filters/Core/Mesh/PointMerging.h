@@ -10,8 +10,8 @@
 #ifndef BoneDecimate_Core_Mesh_PointMerging_h
 #define BoneDecimate_Core_Mesh_PointMerging_h
 
-#include "Memory/LargeArray.h"
-#include "Surface.h"
+#include "Base/LargeArray.h"
+#include "Geometry/Surface.h"
 
 #include <vector>
 

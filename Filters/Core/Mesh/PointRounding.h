@@ -13,7 +13,7 @@
 #ifndef BoneDecimate_Core_Mesh_PointRounding_h
 #define BoneDecimate_Core_Mesh_PointRounding_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 namespace bonedecimate
 {

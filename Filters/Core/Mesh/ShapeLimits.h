@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Mesh_ShapeLimits_h
 #define BoneDecimate_Core_Mesh_ShapeLimits_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <memory>
 

@@ -8,8 +8,8 @@
 #define BoneDecimate_Core_Mesh_SizingField_h
 
 #include "Geometry/BoundingTree.h"
+#include "Geometry/Surface.h"
 #include "PointGraph.h"
-#include "Surface.h"
 
 #include <vector>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics.h"
 
-#include "DisjointSets.h"
+#include "Base/DisjointSets.h"
+#include "Base/Parallel.h"
 #include "Geometry/TriangleGeometry.h"
-#include "Parallel.h"
 #include "TriangleShapes.h"
 
 #include <algorithm>

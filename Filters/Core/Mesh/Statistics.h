@@ -9,7 +9,7 @@
 
 #include "EdgeMatching.h"
 #include "Figures/SurfaceFigures.h"
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <vector>
 

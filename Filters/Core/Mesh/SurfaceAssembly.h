@@ -9,10 +9,10 @@
 #ifndef BoneDecimate_Core_Mesh_SurfaceAssembly_h
 #define BoneDecimate_Core_Mesh_SurfaceAssembly_h
 
+#include "Base/Parallel.h"
 #include "Cleaning.h"
-#include "Parallel.h"
+#include "Geometry/Surface.h"
 #include "PointRounding.h"
-#include "Surface.h"
 
 namespace bonedecimate
 {

@@ -11,7 +11,7 @@
 #ifndef BoneDecimate_Core_Mesh_SurfaceParts_h
 #define BoneDecimate_Core_Mesh_SurfaceParts_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <array>
 #include <cstdint>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleShapes.h"
 
+#include "Base/Parallel.h"
 #include "Geometry/Angle.h"
 #include "Geometry/SmallestAngle.h"
 #include "Geometry/TriangleGeometry.h"
-#include "Parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -11,8 +11,8 @@
 #define BoneDecimate_Core_Mesh_TriangleShapes_h
 
 #include "Figures/ShapeFigures.h"
+#include "Geometry/Surface.h"
 #include "ShapeLimits.h"
-#include "Surface.h"
 
 namespace bonedecimate
 {

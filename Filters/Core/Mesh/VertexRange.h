@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Mesh_VertexRange_h
 #define BoneDecimate_Core_Mesh_VertexRange_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Text.h"
 #include "NumberRange.h"
 #include "OptionTable.h"
-#include "Text.h"
 
 #include <algorithm>
 #include <type_traits>

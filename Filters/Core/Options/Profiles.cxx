@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Profiles.h"
 
-#include "Text.h"
+#include "Base/Text.h"
 
 #include <algorithm>
 

@@ -19,8 +19,8 @@
 #ifndef BoneDecimate_Core_Smoothing_BoundedSolver_h
 #define BoneDecimate_Core_Smoothing_BoundedSolver_h
 
+#include "Base/Monitor.h"
 #include "DisplacementSets.h"
-#include "Monitor.h"
 #include "SmoothingGraph.h"
 
 #include <vector>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Smoothing.h"
 
+#include "Base/Parallel.h"
 #include "Geometry/Angle.h"
 #include "Geometry/TriangleGeometry.h"
 #include "Mesh/SurfaceParts.h"
-#include "Parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DisplacementSets.h"
 
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include <algorithm>
 #include <cmath>

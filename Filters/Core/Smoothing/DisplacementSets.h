@@ -20,8 +20,8 @@
 #ifndef BoneDecimate_Core_Smoothing_DisplacementSets_h
 #define BoneDecimate_Core_Smoothing_DisplacementSets_h
 
-#include "LabelMap/VoxelGrid.h"
-#include "Surface.h"
+#include "Geometry/Surface.h"
+#include "Labels/LabelMap/VoxelGrid.h"
 
 #include <cmath>
 #include <vector>

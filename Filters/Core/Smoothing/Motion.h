@@ -10,7 +10,7 @@
 #ifndef BoneDecimate_Core_Smoothing_Motion_h
 #define BoneDecimate_Core_Smoothing_Motion_h
 
-#include "Intersections/TrianglePair.h"
+#include "Proof/Guard/TrianglePair.h"
 
 namespace bonedecimate
 {

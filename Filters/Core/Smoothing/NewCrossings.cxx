@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NewCrossings.h"
 
+#include "Base/Parallel.h"
 #include "Motion.h"
-#include "Parallel.h"
 
 #include <algorithm>
 #include <limits>

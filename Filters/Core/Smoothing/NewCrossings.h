@@ -5,7 +5,7 @@
  * @brief Triangles that intersect or are turned over after their points have moved, and were not before.
  *
  *     pairs:   triangles whose boxes overlap, from a binary tree of boxes over the triangles as they come, which lie along a
- *              curve that fills space; pairs that intersect (Intersections/TrianglePair.h) and did not before, or that pierce each
+ *              curve that fills space; pairs that intersect (Proof/Guard/TrianglePair.h) and did not before, or that pierce each
  *              other and only touched before
  *     passed:  on request, pairs without a common corner that pass through each other on the way (Motion.h)
  *     turned:  triangles whose normal has turned by 90 degrees or more, or that have lost their area
@@ -15,9 +15,9 @@
 #ifndef BoneDecimate_Core_Smoothing_NewCrossings_h
 #define BoneDecimate_Core_Smoothing_NewCrossings_h
 
-#include "Intersections/TrianglePair.h"
-#include "Monitor.h"
-#include "Surface.h"
+#include "Base/Monitor.h"
+#include "Geometry/Surface.h"
+#include "Proof/Guard/TrianglePair.h"
 
 #include <vector>
 

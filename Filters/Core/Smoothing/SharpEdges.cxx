@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharpEdges.h"
 
+#include "Base/Parallel.h"
+#include "Base/WorkspacePool.h"
 #include "Geometry/Angle.h"
 #include "Geometry/TriangleGeometry.h"
-#include "Parallel.h"
-#include "WorkspacePool.h"
 
 #include <algorithm>
 #include <cmath>

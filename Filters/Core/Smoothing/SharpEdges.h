@@ -20,7 +20,7 @@
 #ifndef BoneDecimate_Core_Smoothing_SharpEdges_h
 #define BoneDecimate_Core_Smoothing_SharpEdges_h
 
-#include "Surface.h"
+#include "Geometry/Surface.h"
 
 #include <array>
 #include <vector>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Smoothing.h"
 
+#include "Base/Parallel.h"
 #include "BoundedSolver.h"
 #include "Mesh/SurfaceAssembly.h"
 #include "NewCrossings.h"
-#include "Parallel.h"
 #include "SharpEdges.h"
 #include "SmoothingStrength.h"
 

@@ -20,11 +20,11 @@
 #ifndef BoneDecimate_Core_Smoothing_Smoothing_h
 #define BoneDecimate_Core_Smoothing_Smoothing_h
 
+#include "Base/Monitor.h"
 #include "Figures/SmoothingFigures.h"
-#include "LabelMap/VoxelGrid.h"
+#include "Geometry/Surface.h"
+#include "Labels/LabelMap/VoxelGrid.h"
 #include "Mesh/PointRounding.h"
-#include "Monitor.h"
-#include "Surface.h"
 
 #include <vector>
 

@@ -22,9 +22,9 @@
 #ifndef BoneDecimate_Core_Smoothing_SmoothingGraph_h
 #define BoneDecimate_Core_Smoothing_SmoothingGraph_h
 
-#include "LabelMap/VoxelGrid.h"
+#include "Geometry/Surface.h"
+#include "Labels/LabelMap/VoxelGrid.h"
 #include "SharpEdges.h"
-#include "Surface.h"
 
 #include <array>
 #include <vector>

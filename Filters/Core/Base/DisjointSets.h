@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DisjointSets.h
+ * @brief Sets of numbers that are joined step by step.
+ */
+#ifndef BoneDecimate_Core_Base_DisjointSets_h
+#define BoneDecimate_Core_Base_DisjointSets_h
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace bonedecimate
+{
+/// Of the numbers from 0 to count - 1, each alone at first. The root of a set is its least member.
+template <typename Number>
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t count)
+    : Parents(count)
+  {
+    std::iota(this->Parents.begin(), this->Parents.end(), Number(0));
+  }
+
+  std::size_t Size() const { return this->Parents.size(); }
+
+  /// Of the set of the member. Shortens ways to roots.
+  Number Root(Number member)
+  {
+    while (this->ParentOf(member) != member)
+    {
+      this->ParentOf(member) = this->ParentOf(this->ParentOf(member));
+      member = this->ParentOf(member);
+    }
+    return member;
+  }
+
+  void Join(Number a, Number b)
+  {
+    if (this->ParentOf(a) != this->ParentOf(b))
+    {
+      const Number rootA = this->Root(a);
+      const Number rootB = this->Root(b);
+      this->ParentOf(std::max(rootA, rootB)) = std::min(rootA, rootB);
+    }
+  }
+
+  /// Of each number the root; the sets are empty afterwards.
+  std::vector<Number> TakeRoots()
+  {
+    for (Number& parent : this->Parents)
+    {
+      parent = this->ParentOf(parent); // it comes before and has its root
+    }
+    return std::move(this->Parents);
+  }
+
+private:
+  Number& ParentOf(Number member) { return this->Parents[static_cast<std::size_t>(member)]; }
+
+  std::vector<Number> Parents;
+};
+}
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RunProgress.h
+ * @brief Divides the progress of a run into stages and stores whether the run was aborted.
+ */
+#ifndef BoneDecimate_Core_Base_RunProgress_h
+#define BoneDecimate_Core_Base_RunProgress_h
+
+#include "Monitor.h"
+
+namespace bonedecimate
+{
+class RunProgress
+{
+public:
+  /// @param outer Must outlive this; may be empty.
+  explicit RunProgress(const Monitor& outer)
+    : Outer(outer)
+  {
+  }
+
+  /// A monitor for one stage, whose progress 0 to 1 maps to from-to. After an abort it always returns false.
+  Monitor Stage(double from, double to)
+  {
+    return [this, from, to](double fraction)
+    {
+      this->Tell(from + fraction * (to - from));
+      return this->Going;
+    };
+  }
+
+  bool GoesOn() const { return this->Going; }
+
+private:
+  /// Calls the outer monitor for every hundredth even if a stage reports a larger step.
+  void Tell(double fraction)
+  {
+    constexpr double hundredth = 0.01;
+    while (this->Outer && this->Going && this->Told + hundredth < fraction)
+    {
+      this->Told += hundredth;
+      this->Going = this->Outer(this->Told);
+    }
+    this->Told = fraction;
+    this->Going = this->Going && (!this->Outer || this->Outer(fraction));
+  }
+
+  const Monitor& Outer;
+  bool Going = true;
+  double Told = 0.0;
+};
+}
+
+#endif

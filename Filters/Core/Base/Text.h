@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Text.h
+ * @brief Text as options and files hold it: case, lists, XML, numbers. The same in every locale.
+ */
+#ifndef BoneDecimate_Core_Base_Text_h
+#define BoneDecimate_Core_Base_Text_h
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace bonedecimate
+{
+/// A to Z as a to z; letters beyond ASCII stay as they are.
+inline std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+/// The parts between the separators, empty ones too; of an empty text one empty part.
+inline std::vector<std::string> SplitAt(const std::string& text, char separator)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+  {
+    if (c == separator)
+    {
+      parts.emplace_back();
+    }
+    else
+    {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+/// "1, 2, 3, 4, 5 and 17 more"
+template <typename Number>
+std::string ListText(const std::vector<Number>& numbers)
+{
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(numbers.size(), most); ++i)
+  {
+    text += (i > 0 ? ", " : "") + std::to_string(numbers[i]);
+  }
+  return numbers.size() > most ? text + " and " + std::to_string(numbers.size() - most) + " more"
+                               : text;
+}
+
+/// As text or attribute value of XML, HTML or SVG.
+inline std::string EscapedXml(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    switch (c)
+    {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+#ifdef __cpp_lib_to_chars
+template <typename Number>
+std::from_chars_result ReadNumber(const char* first, const char* last, Number& value)
+{
+  return std::from_chars(first, last, value);
+}
+#else
+/// For standard libraries whose from_chars reads whole numbers alone.
+template <typename Number>
+std::from_chars_result ReadNumber(const char* first, const char* last, Number& value)
+{
+  if constexpr (std::is_floating_point_v<Number>)
+  {
+    const std::string text(first, last);
+    // strtod also skips blanks and reads hexadecimal digits and nan(...).
+    const bool isPlain = !text.empty() && text[0] != '+' &&
+      text.find_first_not_of("0123456789.eE+-infatyINFATY") == std::string::npos;
+    char* end = nullptr;
+    value = isPlain ? std::strtod(text.c_str(), &end) : 0.0;
+    const std::ptrdiff_t used = isPlain ? end - text.c_str() : 0;
+    return { first + used, used == 0 ? std::errc::invalid_argument : std::errc() };
+  }
+  else
+  {
+    return std::from_chars(first, last, value);
+  }
+}
+#endif
+
+/**
+ * A decimal number that is the whole text: no blanks, no unit, no hexadecimal digits, no comma; a plus sign is allowed.
+ * A double is rounded to the nearest; beyond the largest it is infinite. The words nan, inf and infinity are numbers.
+ * @returns Nothing if the text is anything else, or beyond the range of a whole number.
+ */
+template <typename Number>
+std::optional<Number> ParseNumber(std::string_view text)
+{
+  // from_chars takes no plus sign.
+  const bool hasPlus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
+  const char* const first = text.data() + (hasPlus ? 1 : 0);
+  const char* const last = text.data() + text.size();
+  Number value = {};
+  const std::from_chars_result read = ReadNumber(first, last, value);
+  if (read.ec == std::errc::invalid_argument || read.ptr != last)
+  {
+    return {};
+  }
+  if (read.ec == std::errc::result_out_of_range)
+  {
+    if constexpr (std::is_floating_point_v<Number>)
+    {
+      return static_cast<Number>(std::strtod(std::string(first, last).c_str(), nullptr));
+    }
+    return {};
+  }
+  return value;
+}
+
+/// The same for a finite double; nothing for a number that rounds to 0, because 0 often switches an option off.
+inline std::optional<double> ParseFinite(std::string_view text)
+{
+  const std::optional<double> value = ParseNumber<double>(text);
+  const bool isZero = text.find_first_of("123456789") >= text.find_first_of("eE");
+  return value && std::isfinite(*value) && (*value != 0.0 || isZero) ? value : std::nullopt;
+}
+}
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CollapseRules.h
+ * @brief The rules of a collapse in every mode, each a function that returns a rejection.
+ */
+#ifndef BoneDecimate_Core_Decimate_Edit_CollapseRules_h
+#define BoneDecimate_Core_Decimate_Edit_CollapseRules_h
+
+#include "Decimate/Kernels/Kernels.h"
+#include "Mesh/EdgeNeighborhood.h"
+#include "Mesh/Edit.h"
+#include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/Rejection.h"
+
+namespace bonedecimate
+{
+/// Rejects edges with a constrained end, with two stationary ends, and interior edges of which neither end moves freely:
+/// their collapse would pinch the surface or move a vertex that must not move.
+Rejection CheckEnds(const HalfEdgeMesh& mesh, HalfEdgeId edge);
+
+/// Link condition and the least size of fragments.
+Rejection CheckTopology(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around);
+
+/// Fills the fan's ring from the mesh: everything but the position.
+void FillFan(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan);
+
+/// Rejects faces without area, new slivers, and faces that turn by more than 78 degrees, or by more than 90 degrees from their
+/// original normal (HalfEdgeMesh::IsTurnedOver), so that small rotations cannot accumulate.
+/// @param fan Filled; its position and areas are set here.  @param volumeChange mm^3, returned.
+Rejection CheckPosition(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit,
+  Fan& fan, double& volumeChange);
+}
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Draft.h
+ * @brief Collapses that are tested cheaply while they are made, and proved together: what an Editor keeps for them.
+ *
+ *     BeginDraft:   DraftFilter in place of the error bound and the intersection guard, and a journal; limits by the separation
+ *     edits
+ *     EndDraft:     until nothing is rejected:
+ *                       every face and every original is proved, with these limits       (BulkProof)
+ *                       no pair of faces intersects or is too near                       (StateCheck)
+ *                       closed fragments keep their volume                               (FragmentGuard)
+ *                       components lie within the same others as before                  (Containment)
+ *                       what is rejected is undone, and all edits that depend on it
+ *                   after four failures at a vertex, one more of the last edits there each time; after too many turns, the whole draft
+ *                   coverage, gaps, quadrics and volumes are those of the edits that are left
+ *
+ * Nothing that the draft estimates enters a proof. The mesh before the draft is proved, so undoing ends. Each edit that is left passed
+ * the rules, the fragments' and voxels' filters when it was made, and replaces the same faces as then (EditJournal.h). Why no
+ * parts pass each other, though only the last mesh is looked at: Documentation/error-bound.md.
+ */
+#ifndef BoneDecimate_Core_Decimate_Edit_Draft_h
+#define BoneDecimate_Core_Decimate_Edit_Draft_h
+
+#include "Mesh/Rejection.h"
+#include "Proof/EditFilters/EditJournal.h"
+#include "Proof/ErrorBound/ErrorLimits.h"
+#include "Proof/Guard/StateCheck.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bonedecimate
+{
+struct Draft
+{
+  Draft(const HalfEdgeMesh& mesh, const ErrorLimits& limits)
+    : Journal(std::make_shared<EditJournal>(mesh))
+    , Limits(limits)
+    , Failures(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0)
+  {
+  }
+
+  std::shared_ptr<EditJournal> Journal;
+  ErrorLimits Limits; ///< Of the bound, and less than half of the separation.
+  std::vector<std::vector<Index>> Enclosing; ///< Of each component, at first, if there is a guard.
+  std::optional<StateCheck> State;           ///< If there is a guard.
+  std::vector<std::uint8_t> Failures;        ///< Of each vertex, edits that were rejected.
+  std::vector<std::shared_ptr<EditFilter>>
+    ExactFilters; ///< Of the editor, while the draft has its own.
+  std::array<std::int64_t, NumberOfRejections>
+    Rejections{}; ///< Before the draft: its own are not counted.
+};
+}
+
+#endif

@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editor.h"
+
+#include "Draft.h"
+#include "Geometry/TriangleGeometry.h"
+#include "Mesh/ManifoldPatches.h"
+#include "Proof/EditFilters/NeighborFilter.h"
+#include "Proof/EditFilters/ShapeFilter.h"
+#include "Proof/EditFilters/ZoneFilter.h"
+#include "Proof/ErrorBound/StartProof.h"
+#include "Proof/Guard/IntersectionGuard.h"
+#include "RingQuadrics.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+/// WithJoined at the positions of the mesh.
+template <typename Use>
+auto WithJoined(
+  const CleanSurface& clean, const HalfEdgeMesh& mesh, bool isSmoothed, const Use& use)
+{
+  return bonedecimate::WithJoined(clean,
+    [&](const Surface& joined)
+    {
+      if (!isSmoothed)
+      {
+        return use(joined);
+      }
+      Surface smoothed = joined;
+      for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
+      {
+        smoothed.Points[v] = mesh.Position(v);
+      }
+      return use(static_cast<const Surface&>(smoothed));
+    });
+}
+
+WrittenPositions WrittenBy(const EditorSettings& settings, const CleanSurface& clean)
+{
+  return settings.Input == nullptr
+    ? WrittenPositions()
+    : WrittenPositions(*settings.Input, clean, settings.Bound->Error, settings.Bound->Rounding);
+}
+}
+
+Editor::Editor(const CleanSurface& clean, const EditorSettings& settings)
+  : Editor(HalfEdgeMesh(clean.Surface, settings.Threads, clean.ManifoldPatches), clean, settings)
+{
+}
+
+//------------------------------------------------------------------------------
+Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
+  const Monitor& monitor)
+  : Half(std::move(mesh))
+  , Continued(settings.Reference)
+  , KeepsQuadrics(settings.KeepsQuadrics)
+  , Source(clean, settings.RecordsDistances)
+  , KnowsAround(settings.Reference == nullptr || settings.EditZone)
+{
+  if (!settings.SmoothedPositions.empty())
+  {
+    this->TakeSmoothedPositions(settings.SmoothedPositions);
+  }
+  if (settings.KeepsAreas)
+  {
+    this->FaceGeometry.emplace(this->Half);
+  }
+  if (settings.KeepsQuadrics)
+  {
+    SumRingQuadrics(this->Half, settings.Threads);
+  }
+  const auto goesOn = [&monitor] { return !monitor || monitor(0.0); };
+  if (settings.RecordsDistances && goesOn())
+  {
+    this->Source.Tree(settings.Threads, goesOn);
+  }
+  if ((settings.KeepsInitialMesh || settings.Bound) && this->Continued == nullptr)
+  {
+    this->First = std::make_unique<HalfEdgeMesh>(this->Half);
+  }
+  this->AddFilters(settings, monitor);
+  const std::vector<char> others = this->NearUnproved(settings.IsConstrained);
+  if (!(settings.Tolerances.empty() && others.empty()) && goesOn())
+  {
+    this->ConstrainedVertices = this->ConstrainVertices(settings.Tolerances, others);
+  }
+  if (settings.CollapsesFeatureCurves && goesOn())
+  {
+    this->Curves = std::make_unique<PatchBoundaries>(this->Half);
+  }
+}
+
+Editor::~Editor() = default;
+
+//------------------------------------------------------------------------------
+void Editor::TakeSmoothedPositions(const std::vector<Vector3>& positions)
+{
+  this->Unsmoothed = std::make_unique<HalfEdgeMesh>(this->Half);
+  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  {
+    this->Half.Move(v, positions[v]);
+  }
+  this->Source.RecordDisplacements(positions);
+}
+
+//------------------------------------------------------------------------------
+/// In order: an edit is rejected by the first one. What is checked quickly or rejects most comes first, voxels before an error bound
+/// that allows large edits, and the recorder of accepted edits last. Filters read the mesh before vertices are constrained by
+/// tolerances.
+void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
+{
+  const bool isAborted = monitor && !monitor(0.0);
+  this->GuardsVoxels = settings.Voxels && !isAborted;
+  const bool voxelsFirst = this->GuardsVoxels &&
+    (!settings.Bound ||
+      VoxelGuard::ChecksBeforeBound(settings.Voxels->Grid, settings.Bound->Error));
+  this->Fragments = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
+    [this](const Surface& joined) { return std::make_shared<FragmentGuard>(this->Half, joined); });
+  this->Filters.push_back(this->Fragments);
+  if (!settings.Shape.IsAny())
+  {
+    this->Filters.push_back(
+      std::make_shared<ShapeFilter>(settings.Shape, this->Half, settings.Threads));
+  }
+  if (voxelsFirst)
+  {
+    this->Filters.push_back(std::make_shared<VoxelGuard>(*settings.Voxels));
+  }
+  if (settings.Bound && !isAborted)
+  {
+    this->AddErrorBound(settings);
+  }
+  if (this->GuardsVoxels && !voxelsFirst)
+  {
+    this->Filters.push_back(std::make_shared<VoxelGuard>(*settings.Voxels));
+  }
+  if (settings.Bound && settings.GuardsIntersections && !isAborted)
+  {
+    this->AddIntersectionGuard(settings, monitor);
+  }
+  if (settings.EditZone)
+  {
+    this->Filters.push_back(std::make_shared<ZoneFilter>(*settings.EditZone));
+  }
+  if (settings.Neighbors.Others)
+  {
+    this->Filters.push_back(std::make_shared<NeighborFilter>(settings.Neighbors));
+  }
+  this->Filters.insert(
+    this->Filters.end(), settings.MoreFilters.begin(), settings.MoreFilters.end());
+  if (settings.RecordsEdits)
+  {
+    this->AddRecorder();
+  }
+  if (this->Bound)
+  {
+    this->DraftFound.Status = settings.RecordsEdits ? DraftStatus::EditsAreRecorded
+      : settings.Requested.ProveEachEdit            ? DraftStatus::EachEditIsProved
+      : settings.MoreFilters.empty()                ? DraftStatus::NotUsed
+                                                    : DraftStatus::MoreFilters;
+  }
+  this->NeedsSurfaceChange = std::any_of(this->Filters.begin(), this->Filters.end(),
+    [](const std::shared_ptr<EditFilter>& filter) { return filter->NeedsSurfaceChange(); });
+}
+
+//------------------------------------------------------------------------------
+void Editor::AddRecorder()
+{
+  this->Recorder = std::make_shared<EditRecorder>();
+  this->Filters.push_back(this->Recorder);
+  if (this->Unsmoothed)
+  {
+    this->Recorder->BeginPatch(*this->Unsmoothed);
+    this->Recorder->EndPatch(this->Half);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor& monitor)
+{
+  this->Guard = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
+    [&](const Surface& joined)
+    {
+      return std::make_shared<IntersectionGuard>(this->Half, joined,
+        WrittenBy(settings, this->Source.AtFirst()), settings.Bound->Error, settings.GuardsGaps,
+        settings.Threads, monitor);
+    });
+  this->Filters.push_back(this->Guard);
+}
+
+//------------------------------------------------------------------------------
+void Editor::AddErrorBound(const EditorSettings& settings)
+{
+  ErrorBoundSettings bound = *settings.Bound;
+  if (this->Continued != nullptr)
+  {
+    this->Bound = std::make_shared<ErrorBound>(*this->Continued, this->Half, bound);
+    this->Unproved = ProveStart(*this->Bound, *this->Continued, this->Half,
+      settings.EditZone ? &*settings.EditZone : nullptr, settings.Threads);
+  }
+  else
+  {
+    bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
+    this->Bound =
+      std::make_shared<ErrorBound>(this->BoundedMesh(), this->Source.Tree(settings.Threads), bound);
+  }
+  this->Filters.push_back(this->Bound);
+}
+
+//------------------------------------------------------------------------------
+Index Editor::ConstrainVertices(
+  const std::vector<double>& tolerances, const std::vector<char>& others)
+{
+  const auto isConstrained = [&](VertexId v)
+  {
+    const bool isLimited = !tolerances.empty() &&
+      (this->Bound ? !(this->Bound->LimitAt(v) > 0.0) : tolerances[v] == 0.0);
+    return isLimited || (!others.empty() && others[v] != 0);
+  };
+  for (FaceId face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
+  {
+    const Triangle corners = this->Half.Corners(face);
+    if (std::any_of(corners.begin(), corners.end(), isConstrained))
+    {
+      std::for_each(
+        corners.begin(), corners.end(), [this](VertexId v) { this->Half.Constrain(v); });
+    }
+  }
+  Index count = 0;
+  for (VertexId v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  {
+    count += isConstrained(v) && this->Half.OriginalVertex(v) == v ? 1 : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+/// To where the point will be when it has been written; only then the error bound can be proved.
+Vector3 Editor::Rounded(const Vector3& position) const
+{
+  return this->Bound ? this->Bound->Rounded(position) : position;
+}
+
+//------------------------------------------------------------------------------
+/// Without its surface change.
+ProposedEdit& Editor::Propose(
+  const Edit& edit, VertexId vertex, double volumeChange, Workspace& work, int workers) const
+{
+  ProposedEdit& proposed = work.Proposed;
+  proposed.Requested = edit;
+  proposed.Vertex = vertex;
+  proposed.VolumeChange = volumeChange;
+  proposed.Range = work.Range;
+  proposed.Workers = workers;
+  proposed.Unsettled = &work.Counted.Volumes;
+  return proposed;
+}
+
+//------------------------------------------------------------------------------
+Decision Editor::RunFilters(Workspace& work) const
+{
+  if (work.Pending.empty())
+  {
+    for (const std::shared_ptr<EditFilter>& filter : this->Filters)
+    {
+      work.Pending.push_back(filter->MakePending());
+    }
+  }
+  Decision decision = Decision::Accept();
+  for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
+  {
+    decision = this->Filters[i]->Screen(this->Half, work.Proposed, *work.Pending[i]);
+  }
+  for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
+  {
+    decision = this->Filters[i]->Check(this->Half, work.Proposed, *work.Pending[i]);
+  }
+  return decision;
+}
+
+//------------------------------------------------------------------------------
+/// Of the edit that all filters accepted and that has been applied to the mesh.
+void Editor::Commit(Workspace& work)
+{
+  for (std::size_t i = 0; i < this->Filters.size(); ++i)
+  {
+    this->Filters[i]->Commit(this->Half, work.Proposed, *work.Pending[i], work.Counted);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::KeepFirstNormal(FaceId face)
+{
+  const Triangle c = this->Half.Corners(face);
+  this->Half.KeepFirstNormal(face,
+    AreaVector(this->Half.Position(c[0]), this->Half.Position(c[1]), this->Half.Position(c[2])));
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> Editor::Limits() const
+{
+  std::vector<float> limits;
+  for (VertexId v = 0; v < this->BoundedMesh().NumberOfVertexSlots(); ++v)
+  {
+    limits.push_back(static_cast<float>(this->LimitAt(v)));
+  }
+  return limits;
+}
+
+//------------------------------------------------------------------------------
+void Editor::Settle(Tally& tally)
+{
+  this->SettleAll(&tally, 1);
+}
+
+//------------------------------------------------------------------------------
+void Editor::Settle(std::vector<Tally>& tallies)
+{
+  this->SettleAll(tallies.data(), tallies.size());
+}
+
+//------------------------------------------------------------------------------
+/// Lists in a tally keep their memory.
+void Editor::SettleAll(Tally* tallies, std::size_t count)
+{
+  for (const std::shared_ptr<EditFilter>& filter : this->Filters)
+  {
+    filter->Settle(tallies, count);
+  }
+  for (Tally* tally = tallies; tally != tallies + count; ++tally)
+  {
+    this->Half.CountRemovedFaces(tally->RemovedFaces);
+    this->Edits += tally->Edits;
+    for (std::size_t i = 0; i < NumberOfRejections; ++i)
+    {
+      this->RejectionCounts[i] += tally->Rejections[i];
+    }
+    tally->Rejections.fill(0);
+    tally->Edits = 0;
+    tally->RemovedFaces = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::BeginFlipsAndMoves()
+{
+  if (this->Recorder)
+  {
+    this->Recorder->BeginPatch(this->Half);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Editor::EndFlipsAndMoves()
+{
+  if (this->Recorder)
+  {
+    this->Recorder->EndPatch(this->Half);
+  }
+}
+}

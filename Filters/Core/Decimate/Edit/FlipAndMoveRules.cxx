@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FlipAndMoveRules.h"
+
+#include "Decimate/Kernels/FaceRules.h"
+#include "Geometry/TriangleGeometry.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+struct Face
+{
+  Face(const Vector3& a, const Vector3& b, const Vector3& c)
+    : Vector(AreaVector(a, b, c))
+    , Area(this->Vector.norm())
+  {
+    const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+    this->Quality = squares > 0.0 ? QualityOfEquilateral * this->Area / squares : 0.0;
+  }
+
+  Vector3 Vector; // mm^2
+  double Area;    // mm^2
+  double Quality = 0.0;
+};
+
+bool IsTurned(const Face& before, const Face& after)
+{
+  return before.Area > 0.0 &&
+    Dot(before.Vector, after.Vector) < LeastCosine * before.Area * after.Area;
+}
+
+/// @param quality Of the worst face before.
+bool IsNeedle(const Face& after, double quality)
+{
+  return !(after.Area > 0.0) ||
+    (after.Quality < LeastQualityOfSmallEdit && after.Quality < quality);
+}
+
+Rejection RejectionOfConstrained(VertexConstraint kind)
+{
+  return kind == VertexConstraint::Constrained ? Rejection::Constrained : Rejection::NonManifold;
+}
+
+Rejection CheckFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners)
+{
+  for (const Index corner : corners)
+  {
+    if (mesh.IsConstrained(corner))
+    {
+      return RejectionOfConstrained(mesh.Constraint(corner));
+    }
+  }
+  if (mesh.IsStationary(corners[0]) && mesh.IsStationary(corners[1]))
+  {
+    return Rejection::Boundary;
+  }
+  const bool swaps = IsHub(mesh, corners[2]);
+  if (swaps && IsHub(mesh, corners[3]))
+  {
+    return Rejection::Valence;
+  }
+  const VertexId from = corners[swaps ? 3 : 2];
+  const VertexId to = corners[swaps ? 2 : 3];
+  bool joined = from == to;
+  mesh.VisitEdges(from, [&](HalfEdgeId h) { joined = joined || mesh.Across(h, from) == to; });
+  return joined ? Rejection::LinkCondition : Rejection::NotRejected;
+}
+}
+
+std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, HalfEdgeId edge)
+{
+  const HalfEdgeId twin = mesh.Twin(edge);
+  return { mesh.Origin(edge), mesh.Origin(twin), mesh.Origin(HalfEdgeMesh::Previous(edge)),
+    mesh.Origin(HalfEdgeMesh::Previous(twin)) };
+}
+
+//------------------------------------------------------------------------------
+std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners)
+{
+  return { mesh.Position(corners[0]), mesh.Position(corners[1]), mesh.Position(corners[2]),
+    mesh.Position(corners[3]) };
+}
+
+//------------------------------------------------------------------------------
+Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeChange)
+{
+  if (mesh.Twin(edge) == None)
+  {
+    return Rejection::Boundary;
+  }
+  const std::array<Index, 4> corners = CornersAround(mesh, edge);
+  const Rejection topology = CheckFlipTopology(mesh, corners);
+  if (topology != Rejection::NotRejected)
+  {
+    return topology;
+  }
+  const auto [a, b, c, d] = PositionsOf(mesh, corners);
+  const std::array<Face, 2> before = { Face(a, b, c), Face(b, a, d) };
+  const double worst = std::min(before[0].Quality, before[1].Quality);
+  const std::array<Face, 2> afterwards = { Face(a, d, c), Face(b, c, d) };
+  const std::array<Index, 2> faces = { HalfEdgeMesh::Face(edge),
+    HalfEdgeMesh::Face(mesh.Twin(edge)) };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const Face& after = afterwards[i];
+    if (IsNeedle(after, worst))
+    {
+      return Rejection::Degenerate;
+    }
+    if (IsTurned(before[0], after) || IsTurned(before[1], after) ||
+      mesh.IsTurnedOver(faces[i], after.Vector))
+    {
+      return Rejection::Flip;
+    }
+  }
+  volumeChange = Dot(b - a, (c - a).cross(d - a)) / 6.0;
+  return Rejection::NotRejected;
+}
+
+//------------------------------------------------------------------------------
+Rejection CheckMove(
+  const HalfEdgeMesh& mesh, VertexId vertex, const Vector3& position, double& volumeChange)
+{
+  if (mesh.IsConstrained(vertex) || mesh.IsStationary(vertex))
+  {
+    return mesh.IsConstrained(vertex) ? RejectionOfConstrained(mesh.Constraint(vertex))
+                                      : Rejection::Boundary;
+  }
+  if (IsHub(mesh, vertex))
+  {
+    return Rejection::Valence;
+  }
+  Vector3 ring = Vector3::Zero(); // mm^2
+  for (const HalfEdgeId h : mesh.OutgoingOf(vertex))
+  {
+    const Vector3& second = mesh.Position(mesh.Target(h));
+    const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
+    const Face before(mesh.Position(vertex), second, third);
+    const Face after(position, second, third);
+    if (IsNeedle(after, before.Quality))
+    {
+      return Rejection::Degenerate;
+    }
+    if (IsTurned(before, after) || mesh.IsTurnedOver(HalfEdgeMesh::Face(h), after.Vector))
+    {
+      return Rejection::Flip;
+    }
+    ring += before.Vector;
+  }
+  volumeChange = Dot(ring, position - mesh.Position(vertex)) / 3.0;
+  return Rejection::NotRejected;
+}
+
+//------------------------------------------------------------------------------
+Rejection CheckNewFaces(const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange)
+{
+  const Vector3 origin = change.Position;
+  const auto volume = [&origin](const Vector3& a, const Vector3& b, const Vector3& c)
+  { return Dot(a - origin, (b - origin).cross(c - origin)) / 6.0; };
+  volumeChange = 0.0;
+  for (const Index old : change.OldFaces)
+  {
+    const Triangle v = mesh.Corners(old);
+    volumeChange -= volume(mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]));
+  }
+  for (const SurfaceChange::Face& face : change.NewFaces)
+  {
+    const auto& [a, b, c] = face.Corners;
+    const Triangle v = mesh.Corners(face.Old());
+    const Face before(mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]));
+    const Face after(a, b, c);
+    if (IsNeedle(after, before.Quality))
+    {
+      return Rejection::Degenerate;
+    }
+    if (IsTurned(before, after) || mesh.IsTurnedOver(face.Old(), after.Vector))
+    {
+      return Rejection::Flip;
+    }
+    volumeChange += volume(a, b, c);
+  }
+  return Rejection::NotRejected;
+}
+}

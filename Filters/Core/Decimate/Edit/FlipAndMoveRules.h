@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FlipAndMoveRules.h
+ * @brief The rules of flips and moves, which remove nothing.
+ *
+ * Constrained and stationary vertices never move. No corner of the two faces of a flipped edge is constrained, the
+ * new edge must not exist yet. No triangle turns by more than CollapseRules.h allows, loses its area or becomes a worse needle.
+ */
+#ifndef BoneDecimate_Core_Decimate_Edit_FlipAndMoveRules_h
+#define BoneDecimate_Core_Decimate_Edit_FlipAndMoveRules_h
+
+#include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/Rejection.h"
+#include "Proof/EditFilters/SurfaceChange.h"
+
+#include <array>
+
+namespace bonedecimate
+{
+/// The corners around an inside edge a-b: a, b, c (apex of its face), d (apex of its twin's face).
+std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, HalfEdgeId edge);
+/// mm from the local origin
+std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners);
+
+/// @param volumeChange mm^3, returned if it is allowed.
+Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeChange);
+Rejection CheckMove(
+  const HalfEdgeMesh& mesh, VertexId vertex, const Vector3& position, double& volumeChange);
+/// Of a collapse together with moves, or a split: the rules of a move for each new face against the face that it replaces.
+Rejection CheckNewFaces(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange);
+}
+
+#endif

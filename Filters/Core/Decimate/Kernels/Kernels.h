@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Kernels.h
+ * @brief Vectorized inner loops, eight or four lanes wide, one set for each kind of processor.
+ *
+ * All sets give the same bits. The best one for this processor is used unless another is selected.
+ * KernelSet.h, which is compiled once for each set, names the scalar reference of each kernel.
+ */
+#ifndef BoneDecimate_Core_Decimate_Kernels_Kernels_h
+#define BoneDecimate_Core_Decimate_Kernels_Kernels_h
+
+#include "Decimate/Placement/Freedom.h"
+#include "Mesh/HalfEdgeMesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bonedecimate
+{
+/// Edges from one vertex to up to eight others. Plain arrays: kernels must not use inline functions of libraries, which
+/// would be compiled for one processor and linked for all.
+struct EdgeBatch
+{
+  static constexpr int Size = 8;
+  const VertexRecord* First = nullptr;
+  const VertexRecord* Others[Size] = {};
+  std::int32_t Freedoms[Size] = {};   ///< Of type Freedom.
+  float AccumulatedErrors[Size] = {}; ///< The larger accumulated error of both ends, units.
+  int Count = 0;
+  double PerUnit = 1.0;   ///< 1 / unit, 1/mm
+  float CostFactor = 1.0; ///< Makes costs independent of how the unit was rounded.
+};
+
+struct EdgeResults
+{
+  float Costs[EdgeBatch::Size];    ///< Infinite: never.
+  float Least;                     ///< Of the costs.
+  float Moves[3][EdgeBatch::Size]; ///< From First, units.
+};
+
+/// The triangles around the merged vertex before and after the collapse, mm, with Start as the origin.
+struct Fan
+{
+  double* Ring
+    [3] = {}; ///< Coordinates of Ring[0 .. Faces]; the first is repeated at the end if the ring closes.
+  std::int64_t* AtEnd = {}; ///< -1 if the face is at End before the collapse, 0 if at Start.
+  double* OldArea[3] = {};  ///< Twice the area vectors before, mm^2, filled by CheckFan.
+  double* NewArea[3] = {};  ///< Twice the area vectors after, mm^2, filled by CheckFan.
+  double End[3] = {};
+  double Apexes[3][4] = {}; ///< Apexes of the removed faces; four lanes of one or the other.
+  double Position[3] = {};  ///< Position of the merged vertex.
+  int Faces = 0;
+};
+
+/// The validity of the fan after the collapse.
+struct FanValidity
+{
+  bool Degenerate = false;   ///< A face would have no area or become a sliver.
+  bool Flip = false;         ///< A face would turn over.
+  double VolumeChange = 0.0; ///< mm^3
+};
+
+/// Four triangles A, A + AB, A + AC, mm; unused lanes repeat another triangle.
+struct TriangleBatch
+{
+  static constexpr int Size = 4;
+  double A[3][Size], AB[3][Size], AC[3][Size];
+  double Bb[Size], Bc[Size], Cc[Size]; ///< AB . AB, AB . AC, AC . AC, mm^2
+  double PerDeterminant[Size]; ///< 1 / (Bb Cc - Bc Bc), mm^-4; 0 for a triangle without a plane.
+  double PerSquared[3][Size];  ///< 1 / squared length of AB, AC, BC; 0 without a length, mm^-2
+};
+
+struct Kernels
+{
+  const char* Name;
+  void (*EvaluateEdges)(const EdgeBatch& batch, EdgeResults& results);
+  void (*CheckFan)(Fan& fan, FanValidity& validity);
+  /// The accumulated error after the collapse, mm: the largest distance of either end to the new fan, plus that accumulated
+  /// at it, or of the new position to the old fan. Needs no other kernel first.
+  double (*LeaveBehind)(const Fan& fan, double atStart, double atEnd);
+  /// The quadric of a vertex at the origin.  @param fan Only Ring is read.  @param perArea 1/mm^2
+  RingQuadric (*SumPlanes)(const Fan& fan, double perArea);
+  /// Adds new minus old planes to the quadrics of the ring, and returns the sum of the new ones.
+  /// @param ring The vertices of the fan's ring; fewer by one than Faces + 1 if it closes.  @param perArea 1/mm^2
+  RingQuadric (*ExchangePlanes)(
+    const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea);
+  /// Squared distances to points of the triangles that are nearest but for rounding, mm^2: too small by at most the rounding
+  /// of one subtraction.  @param squared Size for each batch.
+  void (*ReachTriangles)(
+    const TriangleBatch* batches, int count, const double* point, double* squared);
+};
+
+/// The best set for this processor, unless another one is selected.
+const Kernels& BestKernels();
+/// Selects a set, for tests and benchmarks; must not be called during a run. nullptr: the best set.
+void ChooseKernels(const Kernels* kernels);
+/// All sets for this processor, the default last: AVX-512 gains nothing over AVX2 at eight lanes, and plain loops are faster
+/// than vector types wider than the registers of the processor.
+const std::vector<const Kernels*>& AvailableKernels();
+}
+
+#endif

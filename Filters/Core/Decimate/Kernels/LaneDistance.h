@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LaneDistance.h
+ * @brief Distances of the origin to four segments or triangles at once; in an anonymous namespace like Lanes.h.
+ */
+#ifndef BoneDecimate_Core_Decimate_Kernels_LaneDistance_h
+#define BoneDecimate_Core_Decimate_Kernels_LaneDistance_h
+
+#include "Lanes.h"
+
+namespace bonedecimate
+{
+namespace
+{
+/// Squared distance to a segment from `a` along `d`, both relative to the point.
+inline Doubles SquaredDistanceToSegment(const Vectors<Doubles>& a, const Vectors<Doubles>& d)
+{
+  const Doubles zero = {};
+  const Doubles squared = d.Dot(d);
+  Doubles t = Select(squared > 0.0, (zero - a.Dot(d)) / squared, zero);
+  t = Smaller(Larger(t, zero), zero + 1.0);
+  const Vectors<Doubles> nearest = a + d * t;
+  return nearest.Dot(nearest);
+}
+
+/// Squared distance of the origin to triangles a, b, c: to the face, or to the nearest side.
+inline Doubles SquaredDistanceToTriangle(
+  const Vectors<Doubles>& a, const Vectors<Doubles>& b, const Vectors<Doubles>& c)
+{
+  const Doubles zero = {};
+  const Vectors<Doubles> n = (b - a).Cross(c - a);
+  const Doubles u = n.Dot(b.Cross(c));
+  const Doubles v = n.Dot(c.Cross(a));
+  const Doubles w = n.Dot(a.Cross(b));
+  const Doubles square = n.Dot(n);
+  const DoubleMask over = (u >= zero) & (v >= zero) & (w >= zero) & (square > zero);
+  const Doubles height = n.Dot(a);
+  const Doubles sides = Smaller(SquaredDistanceToSegment(a, b - a),
+    Smaller(SquaredDistanceToSegment(b, c - b), SquaredDistanceToSegment(c, a - c)));
+  return Select(over, height * height / square, sides);
+}
+
+inline double LeastOfDoubles(Doubles lanes)
+{
+  double result = lanes[0];
+  for (int lane = 1; lane < NumberOfDoubles; ++lane)
+  {
+    result = lanes[lane] < result ? lanes[lane] : result;
+  }
+  return result;
+}
+}
+}
+
+#endif

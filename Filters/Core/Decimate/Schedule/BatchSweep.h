@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BatchSweep.h
+ * @brief Collapses cheap edges of the whole mesh, where checking an edit takes much longer than applying it.
+ *
+ *     list the vertices by bucket                                                                  (VertexLists)
+ *     while a list is not above the limit, and collapses are left:
+ *         batch:    the next vertices, lowest lists first, of which no two have a vertex of their closed rings in common;
+ *                   the others wait for the next batch
+ *         search:   at each vertex the cheapest collapse that is accepted, all at the same time    (CollapseSearch)
+ *         commit:   one after the other, in the order of the lists:
+ *                   rejected:                   set the bucket that the search found
+ *                   accepted, and what the search read has changed in this batch:  wait for the next batch
+ *                   accepted otherwise:         collapse; compute the bucket of the merged vertex
+ *
+ * This is optimistic parallel execution with deterministic reservations (G. Blelloch et al., Internally deterministic parallel
+ * algorithms can be fast, 2012). A search writes nothing that another one of its batch reads: only witnesses of the ends of its edges,
+ * which lie in the closed ring. What it reads is the mesh within Reach of the faces that change, compared by boxes, and what the
+ * filters compare in StillAccepts. A batch depends on the mesh alone, so the number of threads does not change the
+ * result. The fewer searches are in vain, the larger the next batch.
+ */
+#ifndef BoneDecimate_Core_Decimate_Schedule_BatchSweep_h
+#define BoneDecimate_Core_Decimate_Schedule_BatchSweep_h
+
+#include "Base/WorkerTeam.h"
+#include "VertexLists.h"
+
+#include <functional>
+#include <vector>
+
+namespace bonedecimate
+{
+class BatchSweep
+{
+public:
+  BatchSweep(Editor& editor, const EdgeEvaluator& evaluate, VertexBuckets& buckets, int threads);
+
+  /// @param task Its vertices are the whole mesh.
+  /// @param goOn Called after every collapse, which is settled.
+  /// @param pulse Called before every batch; both return whether the sweep continues.
+  void Run(
+    const BlockTask& task, const std::function<bool()>& goOn, const std::function<bool()>& pulse);
+
+private:
+  /// A vertex of a list.
+  struct Listed
+  {
+    VertexId Vertex;
+    CostBucket Highest = NeverBucket; ///< Of the list.
+  };
+  struct Box
+  {
+    Vector3 Low = Vector3::Zero(); // mm
+    Vector3 High = Vector3::Zero();
+  };
+  /// A vertex of the batch, and what was found there.
+  struct Candidate
+  {
+    Listed At;
+    VertexEdges Edges;
+    Workspace Space;
+    CollapseSearch::Result Found;
+    Box Changes;        ///< Of the faces that an accepted collapse changes.
+    double Reach = 0.0; ///< mm, around it: what the search read.
+  };
+
+  void FillBatch();
+  void Take(const Listed& listed);
+  bool ReserveRing(VertexId vertex);
+  void SearchAt(Candidate& candidate) const;
+  void FindBox(Candidate& candidate) const;
+  bool IsUpToDate(Candidate& candidate) const;
+  bool Commit(Candidate& candidate);
+  void Collapse(Candidate& candidate);
+  void ChangeBatchSize(std::size_t collapses, std::size_t inVain);
+
+  Editor& MeshEditor;
+  const EdgeEvaluator& Evaluate;
+  VertexBuckets& Known;
+  BlockTask Task;
+  VertexLists Lists;
+  WorkerTeam Team;
+  std::vector<Candidate> Candidates; // memory of the batch
+  std::size_t Size = 0;              // of the batch
+  std::size_t MostInBatch;
+  std::vector<Index> Ready; // the lowest list, of which those before NextReady were taken
+  std::size_t NextReady = 0;
+  CostBucket HighestOfReady = NeverBucket;
+  std::vector<Listed> Waiting, Retried; // for the next batch; of the one being filled
+  std::vector<std::uint32_t>
+    ReservedBy; // of each vertex, the last batch that has it in a closed ring
+  std::uint32_t Batch = 0;
+  std::vector<Box> Changed; // by the collapses of this batch
+};
+}
+
+#endif

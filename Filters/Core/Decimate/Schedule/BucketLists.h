@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BucketLists.h
+ * @brief Vertices in lists by the bucket of their cost, eight lists per factor of two: no heap, no comparison.
+ *
+ * Vertices are never removed from the middle of a list. The caller checks whether a vertex still belongs to its list.
+ */
+#ifndef BoneDecimate_Core_Decimate_Schedule_BucketLists_h
+#define BoneDecimate_Core_Decimate_Schedule_BucketLists_h
+
+#include "Geometry/Surface.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace bonedecimate
+{
+/// The upper 16 bits below the sign of a cost: ordered like costs, 256 buckets per factor of two.
+using CostBucket = std::uint16_t;
+constexpr CostBucket NeverBucket = 0xFFFF;
+constexpr CostBucket LastBucket = NeverBucket - 1; ///< Of the vertices with an edge to collapse.
+constexpr int BucketsPerDoubling = 256;
+constexpr int BucketsPerList = BucketsPerDoubling / 8;
+
+/// Of a cost of 0 or more; infinite ones never come up.
+inline CostBucket BucketOf(float cost)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &cost, sizeof(bits));
+  return cost < std::numeric_limits<float>::infinity() ? static_cast<CostBucket>(bits >> 15U)
+                                                       : NeverBucket;
+}
+
+/// That many buckets higher, but not above the last one.
+inline CostBucket Raised(CostBucket bucket, int step)
+{
+  return static_cast<CostBucket>(std::min<int>(bucket + step, LastBucket));
+}
+
+/// The highest cost in the bucket; not finite if there is none.
+inline float CostOf(CostBucket bucket)
+{
+  const std::uint32_t bits = (static_cast<std::uint32_t>(bucket) << 15U) | 0x7FFFU;
+  float cost = 0.0F;
+  std::memcpy(&cost, &bits, sizeof(cost));
+  return cost;
+}
+
+/// Number of buckets that are not above the limit. The sums are short, so that compilers vectorize the loop.
+inline Index CountUpTo(CostBucket limit, const CostBucket* first, const CostBucket* last)
+{
+  constexpr std::ptrdiff_t most = 4096;
+  Index count = 0;
+  while (first != last)
+  {
+    const CostBucket* end = first + std::min(most, last - first);
+    std::uint16_t part = 0;
+    for (; first != end; ++first)
+    {
+      part = static_cast<std::uint16_t>(part + (*first <= limit ? 1 : 0));
+    }
+    count += part;
+  }
+  return count;
+}
+
+class BucketLists
+{
+public:
+  static constexpr int NumberOfLists = (NeverBucket + 1) / BucketsPerList;
+
+  BucketLists()
+    : First(NumberOfLists, None)
+  {
+  }
+
+  void Clear()
+  {
+    std::fill(this->First.begin(), this->First.end(), None);
+    this->Nodes.clear();
+    this->Lowest = NumberOfLists;
+  }
+
+  void Add(Index vertex, CostBucket bucket)
+  {
+    const int list = bucket / BucketsPerList;
+    this->Nodes.push_back({ vertex, this->First[static_cast<std::size_t>(list)] });
+    this->First[static_cast<std::size_t>(list)] = static_cast<Index>(this->Nodes.size() - 1);
+    this->Lowest = std::min(this->Lowest, list);
+  }
+
+  /// Moves the lowest list there is to `vertices`, the last one added first; returns its highest bucket, NeverBucket if
+  /// there is none.
+  CostBucket TakeLowest(std::vector<Index>& vertices)
+  {
+    vertices.clear();
+    while (
+      this->Lowest < NumberOfLists && this->First[static_cast<std::size_t>(this->Lowest)] == None)
+    {
+      ++this->Lowest;
+    }
+    if (this->Lowest == NumberOfLists)
+    {
+      return NeverBucket;
+    }
+    Index& first = this->First[static_cast<std::size_t>(this->Lowest)];
+    for (; first != None; first = this->Nodes[static_cast<std::size_t>(first)].Next)
+    {
+      vertices.push_back(this->Nodes[static_cast<std::size_t>(first)].Vertex);
+    }
+    return static_cast<CostBucket>(this->Lowest * BucketsPerList + BucketsPerList - 1);
+  }
+
+private:
+  struct Node
+  {
+    Index Vertex;
+    Index Next;
+  };
+  std::vector<Index> First; // of each list
+  std::vector<Node> Nodes;
+  int Lowest = NumberOfLists;
+};
+}
+
+#endif

@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BucketSweep.h"
+
+#include "Base/Parallel.h"
+#include "Decimate/Cost/QuadricDeviation.h"
+#include "Decimate/Cost/SpikePenalty.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Vertices of a block that are still there, on average: sixteen blocks, within limits.
+constexpr Index LeastOfBlock = 2048;
+constexpr Index MostOfBlock = 16384;
+/// Proofs are worth more blocks.
+constexpr Index LeastOfProvedBlock = 512;
+constexpr Index RenewBelowDivisor = 50;
+constexpr Index BlocksForRounds = 8; // that are worth it
+/// Fraction of the remaining collapses that a round aims at, to stay below the final limit.
+constexpr double RoundFraction = 0.7;
+constexpr int FirstStep = 2 * BucketsPerDoubling; // by which the limit is raised
+/// To the monitor, of a sweep of the whole mesh: some milliseconds.
+constexpr Index CollapsesBetweenWords = 1024;
+/// The same where edits are proved, in vertices that are looked at.
+constexpr Index VerticesBetweenWords = 64;
+}
+
+BucketSweep::BucketSweep(Editor& editor, const StopTargets& stops, int threads,
+  const SweepSettings& settings, const SweepPolicies& policies)
+  : MeshEditor(editor)
+  , Targets(stops)
+  , End(editor, stops)
+  , Threads(editor.HasHook() ? 1 : threads)
+  , FacesAtFirst(editor.Mesh().NumberOfFaces())
+  , PositionsTried(
+      editor.HasErrorBound() ? settings.PositionsTried : settings.PositionsTriedForVoxels)
+  , Evaluate(policies)
+{
+  const std::size_t count = static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots());
+  this->Known.Buckets.assign(count, NeverBucket);
+  this->Known.AccumulatedErrors.assign(count, 0.0F);
+  const double length = editor.Mesh().LengthAtFirst() / editor.Mesh().Unit();
+  this->Known.CostFactor = CostNormalization(length);
+  // A proved bound needs no penalty.
+  this->Known.SpikeFactor = editor.HasErrorBound()
+    ? 0.0
+    : SpikeFactor(settings.SpikeWeight, this->FacesAtFirst, length, this->Known.CostFactor);
+}
+
+//------------------------------------------------------------------------------
+StopReason BucketSweep::Run(const Monitor& monitor)
+{
+  if (this->MeshEditor.LimitsEdits())
+  {
+    return this->RunProved(monitor);
+  }
+  std::int64_t editsWhenRenewed = -1;
+  while (!this->End.IsReached())
+  {
+    if (this->MeshEditor.NumberOfCollapses() == editsWhenRenewed)
+    {
+      return StopReason::NothingLeft;
+    }
+    editsWhenRenewed = this->MeshEditor.NumberOfCollapses();
+    if (!this->RenewAll(monitor))
+    {
+      return StopReason::Aborted;
+    }
+    if (!this->RunRounds(monitor) || !this->Tail(monitor))
+    {
+      return StopReason::Aborted;
+    }
+  }
+  return this->End.Reason();
+}
+
+//------------------------------------------------------------------------------
+StopReason BucketSweep::RunTo(const StopTargets& stops, const Monitor& monitor)
+{
+  this->Targets = stops;
+  this->End.Set(stops);
+  for (VertexId v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
+  {
+    this->Known.Buckets[v] =
+      this->MeshEditor.Mesh().Outgoing(v) == None ? NeverBucket : this->Known.Buckets[v];
+  }
+  return this->Run(monitor);
+}
+
+//------------------------------------------------------------------------------
+bool BucketSweep::HasRounds() const
+{
+  const Index least = this->MeshEditor.LimitsEdits() ? LeastOfProvedBlock : LeastOfBlock;
+  return this->MeshEditor.Mesh().NumberOfVertexSlots() >= BlocksForRounds * least;
+}
+
+//------------------------------------------------------------------------------
+/// As long as they are worth it. False if the monitor stopped it.
+bool BucketSweep::RunRounds(const Monitor& monitor)
+{
+  if (!this->HasRounds())
+  {
+    return true;
+  }
+  CostBucket limit = this->FirstLimit(this->RemainingCollapses());
+  int step = FirstStep;
+  bool goesUp = true;
+  for (int round = 0; goesUp && this->RemainingCollapses() > this->FacesAtFirst / 128; ++round)
+  {
+    const Index wanted = this->RemainingCollapses();
+    if (!this->Round(limit, monitor))
+    {
+      return false;
+    }
+    const Index left = this->RemainingCollapses();
+    if (round > 0)
+    {
+      const double perBucket = std::max(1, wanted - left) / static_cast<double>(step);
+      step =
+        static_cast<int>(std::clamp<double>(RoundFraction * left / perBucket, 1.0, LargestStep));
+    }
+    goesUp = limit < LastBucket; // above the last bucket, nothing may be collapsed
+    limit = Raised(limit, step);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool BucketSweep::RenewAll(const Monitor& monitor)
+{
+  return ForEachChunk(
+    this->Known.Buckets.size(), this->Threads, [&](double) { return this->End.TellNow(monitor); },
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      BlockSweep(this->MeshEditor, this->Evaluate, this->Known)
+        .RenewAll(static_cast<Index>(first), static_cast<Index>(last));
+    });
+}
+
+//------------------------------------------------------------------------------
+/// Each takes two faces, but for the few on boundaries.
+Index BucketSweep::RemainingCollapses() const
+{
+  return std::max(0, this->MeshEditor.Mesh().NumberOfFaces() - this->Targets.Faces) / 2;
+}
+
+//------------------------------------------------------------------------------
+/// The highest bucket with no more than that many vertices at or below it.
+CostBucket BucketSweep::FirstLimit(Index collapses) const
+{
+  std::vector<Index> histogram(NeverBucket + 1, 0);
+  for (const CostBucket bucket : this->Known.Buckets)
+  {
+    ++histogram[bucket];
+  }
+  Index left = collapses;
+  std::size_t limit = 0;
+  while (limit < NeverBucket && histogram[limit] <= left)
+  {
+    left -= histogram[limit++];
+  }
+  return static_cast<CostBucket>(limit > 0 ? limit - 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+/// Blocks, shifted blocks, and what neither can do. False if the monitor stopped it.
+bool BucketSweep::Round(CostBucket limit, const Monitor& monitor)
+{
+  return this->SweepBlocks(limit, { this->BlockSize(), false }, monitor) &&
+    this->SweepBlocks(limit, { this->BlockSize(), true }, monitor) &&
+    (!this->MeshEditor.LimitsEdits() || this->SweepBlocks(limit, this->LargeBlocks(), monitor)) &&
+    this->SweepWhole(limit, this->Targets.Faces, false, monitor);
+}
+
+//------------------------------------------------------------------------------
+/// Side by side. False if the monitor stopped it.
+bool BucketSweep::SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& monitor)
+{
+  const std::vector<BlockTask> blocks = this->Blocks(limit, cut);
+  std::vector<Tally> counted(blocks.size());
+  std::atomic<Index> removed{ 0 };
+  std::atomic<bool> goesOn{ true };
+  const auto tell = [&]
+  {
+    goesOn = goesOn && this->End.TellNow(monitor, removed);
+    return goesOn.load();
+  };
+  const bool isSlow = this->MeshEditor.LimitsEdits();
+  const std::thread::id teller = std::this_thread::get_id();
+  const bool done = ForEachPart(
+    blocks.size(), this->Threads, [&](double) { return tell(); },
+    [&](std::size_t i)
+    {
+      const bool tells = std::this_thread::get_id() == teller;
+      Index looked = 0;
+      const auto pulse = [&]
+      {
+        const bool isTime = isSlow && ++looked % VerticesBetweenWords == 0;
+        return !isTime || (tells ? tell() : goesOn.load());
+      };
+      BlockSweep block(this->MeshEditor, this->Evaluate, this->Known);
+      block.Run(
+        blocks[i], [] { return true; }, pulse);
+      counted[i] = std::exchange(block.Counted(), {});
+      removed += counted[i].RemovedFaces;
+    });
+  this->MeshEditor.Settle(counted);
+  return done;
+}
+
+//------------------------------------------------------------------------------
+/// In vertex slots: the fewer are still there, the longer the block.
+Index BucketSweep::BlockSize() const
+{
+  const Index slots = this->MeshEditor.Mesh().NumberOfVertexSlots();
+  const Index live = std::max(1, this->MeshEditor.Mesh().NumberOfFaces() / 2);
+  const Index least = this->MeshEditor.LimitsEdits() ? LeastOfProvedBlock : LeastOfBlock;
+  const std::int64_t wanted = std::clamp(live / 16, least, MostOfBlock);
+  return static_cast<Index>(std::min<std::int64_t>(slots, wanted * slots / live));
+}
+
+//------------------------------------------------------------------------------
+/// For what reaches out of small ones: so few that little reaches out of them, with ends where no others have theirs.
+BucketSweep::BlockCut BucketSweep::LargeBlocks() const
+{
+  return { 1 + 2 * (this->MeshEditor.Mesh().NumberOfVertexSlots() / 5), false };
+}
+
+//------------------------------------------------------------------------------
+/// Each may collapse in proportion to the vertices it has below the limit.
+std::vector<BlockTask> BucketSweep::Blocks(CostBucket limit, BlockCut cut) const
+{
+  const Index slots = this->MeshEditor.Mesh().NumberOfVertexSlots();
+  std::vector<BlockTask> blocks;
+  std::int64_t ready = 0;
+  for (Index first = cut.IsShifted ? -cut.Size / 2 : 0; first < slots; first += cut.Size)
+  {
+    BlockTask task;
+    task.Vertices = { std::max(0, first), std::min(slots, first + cut.Size) };
+    task.Limit = limit;
+    task.PositionsTried = this->TriesAll ? this->PositionsTried : 1;
+    task.Collapses = CountUpTo(limit, this->Known.Buckets.data() + task.Vertices.First,
+      this->Known.Buckets.data() + task.Vertices.Last);
+    ready += task.Collapses;
+    blocks.push_back(task);
+  }
+  const std::int64_t wanted = this->RemainingCollapses();
+  for (BlockTask& task : blocks)
+  {
+    task.Workers = static_cast<int>(blocks.size());
+    task.Collapses =
+      static_cast<Index>(task.Collapses * wanted / std::max<std::int64_t>(wanted, ready));
+  }
+  return blocks;
+}
+
+//------------------------------------------------------------------------------
+/// The mesh as one block, down to so many faces.
+BlockTask BucketSweep::WholeTask(CostBucket limit, Index faces) const
+{
+  BlockTask task;
+  task.Vertices.Last = this->MeshEditor.Mesh().NumberOfVertexSlots();
+  task.Limit = limit;
+  task.PositionsTried = this->TriesAll ? this->PositionsTried : 1;
+  task.Collapses = std::max(0, this->MeshEditor.Mesh().NumberOfFaces() - faces);
+  return task;
+}
+
+//------------------------------------------------------------------------------
+/// False if the monitor stopped it.
+bool BucketSweep::Tail(const Monitor& monitor)
+{
+  const Index renewBelow = this->FacesAtFirst / RenewBelowDivisor;
+  return this->SweepWhole(LastBucket, renewBelow, false, monitor) &&
+    (this->End.IsReached() || this->SweepWhole(LastBucket, 0, true, monitor));
+}
+
+//------------------------------------------------------------------------------
+/// The mesh as one block, down to so many faces. False if the monitor stopped it.
+bool BucketSweep::SweepWhole(CostBucket limit, Index faces, bool renewsRing, const Monitor& monitor)
+{
+  BlockSweep whole(this->MeshEditor, this->Evaluate, this->Known);
+  BlockTask task = this->WholeTask(limit, faces);
+  task.RenewsRing = renewsRing;
+  bool goesOn = true;
+  Index collapses = 0;
+  Index looked = 0;
+  const auto goOn = [&]
+  {
+    this->MeshEditor.Settle(whole.Counted());
+    const bool isTime = ++collapses % CollapsesBetweenWords == 0;
+    goesOn = isTime ? this->End.TellNow(monitor) : this->End.Tell(monitor);
+    return goesOn && !this->End.IsReached() && this->MeshEditor.Mesh().NumberOfFaces() > faces;
+  };
+  const bool isSlow = this->MeshEditor.LimitsEdits();
+  const auto pulse = [&]
+  {
+    const bool isTime = isSlow && ++looked % VerticesBetweenWords == 0;
+    goesOn = goesOn && (!isTime || this->End.TellNow(monitor));
+    return goesOn;
+  };
+  whole.Run(task, goOn, pulse);
+  this->MeshEditor.Settle(whole.Counted());
+  return goesOn;
+}
+}

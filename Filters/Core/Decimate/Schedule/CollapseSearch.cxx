@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CollapseSearch.h"
+
+#include "Decimate/Cost/SpikePenalty.h"
+#include "Decimate/Edit/CollapseRules.h"
+#include "Decimate/Placement/AlternatePositions.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr int BucketsAfterRejection = 4 * BucketsPerDoubling;
+}
+
+CollapseSearch::Result CollapseSearch::Find(
+  VertexEdges& edges, CostBucket highest, const BlockTask& task, Workspace& space)
+{
+  this->Task = &task;
+  this->Space = &space;
+  this->IsLasting = true;
+  const VertexId vertex = edges.Vertex();
+  edges.Forget();
+  if (!edges.AreInside())
+  {
+    return { Outcome::Deferred, NeverBucket, 0.0, false };
+  }
+  CostBucket rejectedUntil = NeverBucket;
+  bool crosses = false;
+  CostBucket bucket = BucketOf(edges.LeastCost());
+  for (; this->Known.IsRejected(vertex) && bucket < this->Known.Buckets[vertex];
+       bucket = BucketOf(edges.LeastCost()))
+  {
+    edges.TakeCheapest();
+  }
+  for (; bucket <= highest; bucket = BucketOf(edges.LeastCost()))
+  {
+    const Trial trial = this->TryEdge(vertex, edges.TakeCheapest(), CostOf(highest));
+    if (trial == Trial::TooFar && task.TriesAll())
+    {
+      continue;
+    }
+    if (trial != Trial::TooCostly && trial != Trial::Crossing)
+    {
+      return { trial == Trial::Accepted ? Outcome::Accepted
+          : trial == Trial::Deferred    ? Outcome::Deferred
+                                        : Outcome::Rejected,
+        NeverBucket, this->AccumulatedError, this->IsLasting && trial != Trial::Deferred };
+    }
+    crosses = crosses || trial == Trial::Crossing;
+    rejectedUntil =
+      static_cast<CostBucket>(std::min<int>(highest + BucketsAfterRejection, NeverBucket));
+  }
+  // All edges were tried; trying them again until the end of the pass would cost more than the pass.
+  const bool waits = crosses && bucket == NeverBucket;
+  return { Outcome::Rejected, waits ? NeverBucket : std::min(bucket, rejectedUntil), 0.0,
+    this->IsLasting };
+}
+
+//------------------------------------------------------------------------------
+/// Whether all edges of the vertex were tried with all positions, and nothing has changed since.
+bool CollapseSearch::WasTried(VertexId vertex) const
+{
+  return this->Task->TriesAll() && this->Known.Buckets[vertex] == NeverBucket &&
+    this->Known.IsRejected(vertex);
+}
+
+//------------------------------------------------------------------------------
+/// TooFar: not proved, or rejected while all positions are tried. TooCostly: rejected for another reason than Crossing, or the
+/// spike penalty is above the current bucket.
+CollapseSearch::Trial CollapseSearch::TryEdge(
+  VertexId vertex, const VertexEdges::Candidate& candidate, float mostCost)
+{
+  // An edge also depends on what is around its other end.
+  if (this->Known.IsRejected(vertex) &&
+    this->WasTried(this->MeshEditor.Mesh().Across(candidate.Edge, vertex)))
+  {
+    return Trial::TooFar;
+  }
+  const Decision decision = this->MeshEditor.Validate(candidate.Edge, *this->Space);
+  if (decision.IsRejected())
+  {
+    return this->Task->TriesAll() ? Trial::TooFar : Trial::TooCostly;
+  }
+  const std::vector<Index>& ring = this->Space->Around.Ring;
+  const bool isDeferred = decision.IsDeferred() ||
+    !std::all_of(
+      ring.begin(), ring.end(), [this](VertexId v) { return this->Task->Vertices.Contains(v); });
+  return isDeferred ? Trial::Deferred
+                    : this->TryPositions(this->EditOf(vertex, candidate), mostCost);
+}
+
+//------------------------------------------------------------------------------
+/// Tries the best position and, if that cannot be proved and all are tried, the alternatives.
+CollapseSearch::Trial CollapseSearch::TryPositions(const Edit& best, float mostCost)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const VertexId other = mesh.Across(best.Edge, best.Keep);
+  const Vector3 start = mesh.Position(best.Keep);
+  const Vector3 end = mesh.Position(other);
+  const int count = best.KeepStays ? 1 : this->Task->PositionsTried;
+  Decision decision = Rejection::ErrorBound;
+  for (int i = 0; i < count && !decision.IsDeferred(); ++i)
+  {
+    Edit edit = best;
+    edit.Position =
+      i == 0 ? best.Position : AlternatePositions[i - 1].Of(best.Position, start, end);
+    this->AccumulatedError = this->AccumulatedErrorAfter(edit);
+    if (SpikePenalty(this->Known.SpikeFactor, mesh.NumberOfFaces(), this->AccumulatedError) >
+      mostCost)
+    {
+      this->IsLasting = false; // the penalty may be below the next bucket
+      return Trial::TooCostly;
+    }
+    this->Space->AccumulatedError = this->AccumulatedError * mesh.Unit();
+    decision = this->MeshEditor.CheckCollapse(edit, *this->Space, this->Task->Workers);
+    if (decision.IsAccepted())
+    {
+      return Trial::Accepted;
+    }
+  }
+  const Rejection reason = decision.Reason();
+  // With several workers each has a part of the volume that a fragment may lose.
+  this->IsLasting = this->IsLasting && (reason != Rejection::Fragment || this->Task->Workers == 1);
+  const bool isTooFar = reason == Rejection::ErrorBound || reason == Rejection::VoxelLabel;
+  return decision.IsDeferred()           ? Trial::Deferred
+    : isTooFar || this->Task->TriesAll() ? Trial::TooFar
+    : reason == Rejection::Intersection  ? Trial::Crossing
+                                         : Trial::TooCostly;
+}
+
+//------------------------------------------------------------------------------
+/// The accumulated error after the edit, units.
+double CollapseSearch::AccumulatedErrorAfter(const Edit& edit)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const EdgeNeighborhood& around = this->Space->Around;
+  const double unit = mesh.Unit();
+  Fan& fan = this->Space->Faces.Current();
+  const Vector3 position = edit.Position - mesh.Position(around.Start);
+  for (int k = 0; k < 3; ++k)
+  {
+    fan.Position[k] = position[k];
+  }
+  return this->Compute.LeaveBehind(fan, unit * this->Known.AccumulatedErrors[around.Start],
+           unit * this->Known.AccumulatedErrors[around.End]) /
+    unit;
+}
+
+//------------------------------------------------------------------------------
+/// To the best position, or onto the vertex with the higher constraint if the constraints of the ends differ.
+Edit CollapseSearch::EditOf(VertexId vertex, const VertexEdges::Candidate& candidate) const
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const VertexId other = mesh.Across(candidate.Edge, vertex);
+  if (mesh.Constraint(vertex) != mesh.Constraint(other))
+  {
+    const VertexId stays =
+      Outranks(mesh.Constraint(vertex), mesh.Constraint(other)) ? vertex : other;
+    return { candidate.Edge, stays, mesh.Position(stays), true };
+  }
+  const Vector3 move(candidate.Move[0], candidate.Move[1], candidate.Move[2]);
+  return { candidate.Edge, vertex, mesh.Position(vertex) + move * mesh.Unit(), false };
+}
+}

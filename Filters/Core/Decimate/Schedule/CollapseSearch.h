@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CollapseSearch.h
+ * @brief The cheapest collapse at a vertex that rules and filters accept. The search changes neither the mesh nor the buckets.
+ *
+ *     for every edge of the vertex up to the highest cost, cheapest first, without those rejected before if nothing has changed:
+ *         an edge leads out of the block:      deferred
+ *         spike penalty above the highest:     as if rejected
+ *         rejected:                            the next edge; after the last, raise the bucket by a factor of 16 in cost
+ *         not proved, or intersects:           after the last edge that is tried, wait for the next pass
+ *         else it is the one
+ */
+#ifndef BoneDecimate_Core_Decimate_Schedule_CollapseSearch_h
+#define BoneDecimate_Core_Decimate_Schedule_CollapseSearch_h
+
+#include "Decimate/Edit/Editor.h"
+#include "VertexEdges.h"
+
+namespace bonedecimate
+{
+struct BlockTask
+{
+  VertexRange Vertices;
+  CostBucket Limit = LastBucket; ///< Vertices above it are not collapsed.
+  Index Collapses = 0;           ///< The most allowed.
+  int Workers = 1;               ///< Blocks that are swept at the same time.
+  bool RenewsRing = false;       ///< Compute the buckets of the ring of each merged vertex again.
+  /// Positions tried for a merged vertex until one can be proved. 1: only the best position, and no other edge.
+  int PositionsTried = 1;
+  bool TriesAll() const { return this->PositionsTried > 1; }
+};
+
+class CollapseSearch
+{
+public:
+  enum class Outcome
+  {
+    Accepted,
+    Rejected, ///< The vertex gets another bucket.
+    Deferred
+  };
+  struct Result
+  {
+    Outcome Of = Outcome::Rejected;
+    CostBucket Bucket = NeverBucket; ///< Of the vertex if it is rejected.
+    double AccumulatedError = 0.0;   ///< Units, of the merged vertex if it is accepted.
+    bool IsLasting = true; ///< Whether a rejection holds until something around the vertex changes.
+  };
+
+  CollapseSearch(const Editor& editor, const VertexBuckets& buckets)
+    : MeshEditor(editor)
+    , Known(buckets)
+    , Compute(BestKernels())
+  {
+  }
+
+  /// @param edges Of the vertex, evaluated if they are inside; forgotten afterwards.
+  /// @param space Holds an accepted collapse, for Editor::ApplyCollapse. Its Range is that of the task.
+  Result Find(VertexEdges& edges, CostBucket highest, const BlockTask& task, Workspace& space);
+
+private:
+  enum class Trial
+  {
+    TooCostly,
+    Crossing, ///< Rejected by the intersection guard; waits for the next pass.
+    TooFar,   ///< Not proved; waits until something around it changes.
+    Accepted,
+    Deferred
+  };
+  bool WasTried(VertexId vertex) const;
+  Trial TryEdge(VertexId vertex, const VertexEdges::Candidate& candidate, float mostCost);
+  Trial TryPositions(const Edit& best, float mostCost);
+  Edit EditOf(VertexId vertex, const VertexEdges::Candidate& candidate) const;
+  double AccumulatedErrorAfter(const Edit& edit);
+
+  const Editor& MeshEditor;
+  const VertexBuckets& Known;
+  const Kernels& Compute;
+  const BlockTask* Task = nullptr; // of the current search, as what follows
+  Workspace* Space = nullptr;
+  double AccumulatedError = 0.0; // units, of the position tried last
+  bool IsLasting = true;         // of the rejections so far
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CollapseStage.h"
+
+#include "Decimate/Schedule/BucketSweep.h"
+#include "FeatureCurveStages.h"
+#include "ThesisCollapse.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+namespace
+{
+/// At which the sweep ends.
+Index FacesOfSweep(const StageInput& input)
+{
+  const RefineSettings& refine = input.Mode.Refine;
+  const double extra =
+    std::min(refine.ExtraOfTarget * input.Stops.Faces, refine.ExtraOfOriginal * input.FacesAtStart);
+  return std::min(input.FacesAtStart, input.Stops.Faces + static_cast<Index>(extra));
+}
+
+StopReason CollapseByQueue(
+  const StageInput& input, const QueuePolicies& policies, const Monitor& monitor)
+{
+  ThesisCollapse queue(input.MeshEditor, policies, input.NormalTolerance, input.Stops);
+  return RunInStages(input.MeshEditor, input.Stops, monitor,
+    [&queue](const StopTargets& stage, const Monitor& tell) { return queue.RunTo(stage, tell); });
+}
+}
+
+StopReason CollapseStage(const StageInput& input, const Monitor& monitor)
+{
+  const auto* queue = std::get_if<QueuePolicies>(&input.Mode.Schedule);
+  return queue != nullptr ? CollapseByQueue(input, *queue, monitor)
+                          : SweepTo(input, FacesOfSweep(input), monitor);
+}
+
+//------------------------------------------------------------------------------
+StopReason SweepTo(const StageInput& input, Index faces, const Monitor& monitor)
+{
+  StopTargets stops = input.Stops;
+  stops.Faces = faces;
+  BucketSweep sweep(input.MeshEditor, stops, input.Threads, input.Mode.Sweep,
+    std::get<SweepPolicies>(input.Mode.Schedule));
+  return RunInStages(input.MeshEditor, stops, monitor,
+    [&sweep](const StopTargets& stage, const Monitor& tell) { return sweep.RunTo(stage, tell); });
+}
+}

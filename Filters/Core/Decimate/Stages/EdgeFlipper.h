@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file EdgeFlipper.h
+ * @brief Flips an edge where the other diagonal of its two faces lies nearer to the samples of both.
+ *
+ *          c                     c
+ *        / | \                 /   \       error before = samples of a-b-c to it + samples of b-a-d to it
+ *       a  |  b      and      a-----b      error after  = all of them, each to the nearer of the new faces
+ *        \ | /                 \   /
+ *          d                     d         (either may be before and the other after)
+ *
+ * Flipped if that lowers the error, that of the edge among it, by 2 % and turns no face away from the original.
+ * H. Hoppe et al., Mesh Optimization, 1993.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_EdgeFlipper_h
+#define BoneDecimate_Core_Decimate_Stages_EdgeFlipper_h
+
+#include "Decimate/Edit/Editor.h"
+#include "FaceError.h"
+#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/Samples.h"
+
+#include <array>
+#include <vector>
+
+namespace bonedecimate
+{
+class EdgeFlipper
+{
+public:
+  /// @param faceErrors Of each face, squares of the mesh's unit, negative where unknown; common to all workers.
+  /// @param range What may be changed.
+  EdgeFlipper(Editor& editor, Samples& samples, const BackHints& hints,
+    std::vector<float>& faceErrors, VertexRange range, int workers)
+    : MeshEditor(editor)
+    , Fit(samples)
+    , Back(hints)
+    , FaceErrors(faceErrors)
+    , Weigh(editor.Mesh().Unit(), samples.Spread())
+    , Workers(workers)
+  {
+    this->Space.Range = range;
+  }
+
+  /// Flips edges at the vertex; returns how many.
+  Index Improve(VertexId vertex);
+
+private:
+  /// Two adjacent faces.
+  struct Pair
+  {
+    std::array<Index, 2> Faces;
+    std::array<TriangleFrame, 2> Frames;
+  };
+  bool TryFlip(HalfEdgeId edge);
+  double ErrorBefore(const HalfEdgeMesh& mesh, FaceId face);
+  double ErrorAfter(const Pair& after, double enough) const;
+  double ErrorOfChord(
+    const Pair& pair, const std::array<Index, 4>& corners, std::size_t from, std::size_t to) const;
+  bool TurnsAway(const std::array<Index, 4>& corners, const Pair& before, const Pair& after) const;
+  void HandOver(const Pair& after);
+
+  Editor& MeshEditor;
+  Workspace Space;
+  Samples& Fit;
+  const BackHints& Back;
+  std::vector<float>& FaceErrors;
+  ErrorPenalty Weigh;
+  int Workers;
+};
+}
+
+#endif

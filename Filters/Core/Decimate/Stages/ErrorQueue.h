@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ErrorQueue.h
+ * @brief Collapses edges of a block of vertices in the order of their change of the sampled two-sided error.
+ *
+ *     take the cheapest edge
+ *     its surroundings changed since its evaluation:     evaluate it again, put it back
+ *     its ring leaves the block:                         left over
+ *     else:   collapse it, pass its samples to the faces of the fan, evaluate the edges of the merged vertex
+ *
+ * A vertex whose ring leaves its block is never merged or moved. So no other worker changes anything around an edge with
+ * both ends in the block, and blocks may be processed in parallel.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_ErrorQueue_h
+#define BoneDecimate_Core_Decimate_Stages_ErrorQueue_h
+
+#include "EdgeOrder.h"
+#include "FanFit.h"
+#include "SampledErrors.h"
+
+#include <limits>
+#include <queue>
+#include <vector>
+
+namespace bonedecimate
+{
+/// An edge with what its collapse would cost.
+struct EvaluatedEdge
+{
+  double Cost = 0.0; // error after - error before, squares of the mesh's unit
+  Index Edge = None;
+  Index Start = None;
+  Index End = None;
+  std::uint32_t Stamp = 0;
+  Vector3 Position = Vector3::Zero(); // mm from the local origin
+
+  /// A queue has the cheapest on top, then the least edge.
+  bool operator<(const EvaluatedEdge& other) const
+  {
+    return this->Cost != other.Cost ? this->Cost > other.Cost : this->Edge > other.Edge;
+  }
+};
+
+/// Vertices [First, Last), and what may be done there.
+struct ErrorBlock
+{
+  Index First = 0;
+  Index Last = std::numeric_limits<Index>::max();
+  double Limit = std::numeric_limits<double>::infinity(); // cost above which an edge is left over
+  float MostQuadricCost = 0.0F; // by quadrics; edges above it are not evaluated
+  int Workers = 1;              // that work at the same time
+
+  bool Holds(VertexId v) const { return v >= this->First && v < this->Last; }
+};
+
+class ErrorQueue
+{
+public:
+  ErrorQueue(Editor& editor, Samples& samples, BackHints& hints, SampledErrors& errors,
+    const ErrorBlock& block);
+
+  /// False if the edge may not be collapsed.
+  bool Evaluate(const RatedEdge& edge, EvaluatedEdge& evaluated);
+
+  void Add(const EvaluatedEdge& edge) { this->Queue.push(edge); }
+
+  /// @param goOn Requested with the number of collapses so far, before each edge; false ends it.
+  template <typename GoOn>
+  void Run(const GoOn& goOn);
+
+  /// Evaluated edges that this block may not collapse.
+  const std::vector<EvaluatedEdge>& LeftOver() const { return this->Left; }
+  /// Totals of the collapses, for Editor::Settle.
+  Tally& Counted() { return this->Space.Counted; }
+
+private:
+  void Take(const EvaluatedEdge& edge);
+  void Push(const RatedEdge& edge);
+  bool Collapse(const EvaluatedEdge& edge);
+  void HandOver(const EdgeNeighborhood& around);
+
+  Editor& MeshEditor;
+  Samples& Fit;
+  BackHints& Back;
+  SampledErrors& Errors;
+  ErrorBlock Block;
+  FanFit Costs;
+  Workspace Space;
+  std::priority_queue<EvaluatedEdge> Queue;
+  std::vector<EvaluatedEdge> Left;
+  std::vector<RatedEdge> Candidates;
+  std::int64_t Collapses = 0;
+};
+
+template <typename GoOn>
+void ErrorQueue::Run(const GoOn& goOn)
+{
+  while (!this->Queue.empty() && goOn(this->Collapses))
+  {
+    const EvaluatedEdge edge = this->Queue.top();
+    this->Queue.pop();
+    this->Take(edge);
+  }
+  for (; !this->Queue.empty(); this->Queue.pop())
+  {
+    this->Left.push_back(this->Queue.top());
+  }
+}
+}
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FanFit.h
+ * @brief What a collapse would do to the sampled two-sided error, and where its vertex should go.
+ *
+ *     gather the samples of all faces at the edge
+ *     x = where the quadrics of the ends are least
+ *     x' = x + one Gauss-Newton step on the samples, each on its face of the fan around x
+ *     the better of the two                                            (by the error of SampledErrorCost.h)
+ *
+ * A sample is looked for in the new face that replaces its old one, and on from there round the fan while its distance
+ * falls.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_FanFit_h
+#define BoneDecimate_Core_Decimate_Stages_FanFit_h
+
+#include "Decimate/Edit/Editor.h"
+#include "FaceError.h"
+#include "FitStep.h"
+#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/Samples.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class FanFit
+{
+public:
+  FanFit(const HalfEdgeMesh& mesh, const Samples& samples, const BackHints& hints)
+    : Mesh(mesh)
+    , Fit(samples)
+    , Back(hints)
+    , Weigh(mesh.Unit(), samples.Spread())
+  {
+  }
+
+  struct Result
+  {
+    double Error = 0.0; // of the new fan, squares of the mesh's unit
+    Vector3 Position = Vector3::Zero();
+    Index Hint = None;        // the original triangle near the position
+    double VertexError = 0.0; // the part of Error that is due to the vertex
+  };
+  /// @param around Gathered for an edge whose ends are both inside.  @param position A candidate for its vertex.
+  Result Evaluate(const EdgeNeighborhood& around, const Vector3& position);
+
+  /// After Evaluate: for each sample of the old faces, which face of the fan it belongs to.
+  struct Member
+  {
+    Index Sample;
+    std::size_t Slot; // in around.Corners
+  };
+  const std::vector<Member>& Members() const { return this->Gathered; }
+
+private:
+  void Gather(const EdgeNeighborhood& around);
+  void GatherFace(FaceId face, std::size_t slot);
+  void Build(const EdgeNeighborhood& around, const Vector3& x);
+  Result EvaluateAt(const EdgeNeighborhood& around, const Vector3& x, FitStep* step);
+  double ErrorOfChords(const EdgeNeighborhood& around, const Result& result) const;
+  void AddVertex(const EdgeNeighborhood& around, Result& result, FitStep* step) const;
+
+  const HalfEdgeMesh& Mesh;
+  const Samples& Fit;
+  const BackHints& Back;
+  ErrorPenalty Weigh;
+  std::vector<Member> Gathered;
+  std::vector<TriangleFrame> Frames;
+};
+}
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FeatureCurveCollapse.h
+ * @brief Collapses the curves along which manifold patches meet, along the curve only.
+ *
+ *     a pass:   each removable vertex of a curve, by the deviation of the curve without it
+ *               beyond the bound, or next to a vertex removed in this pass: not in this pass
+ *               three curves would become a triangle: never
+ *               onto the nearer of its two neighbors, else onto the other: the same edge in every patch (Editor::CollapseTogether)
+ *     passes until enough are removed; each may remove a quarter at most, so that deviations are computed again
+ *
+ * The remaining vertices of a curve are points of the input. The curves have few vertices, so this is not parallel.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_FeatureCurveCollapse_h
+#define BoneDecimate_Core_Decimate_Stages_FeatureCurveCollapse_h
+
+#include "Base/Monitor.h"
+#include "Decimate/Edit/Editor.h"
+
+namespace bonedecimate
+{
+class FeatureCurveCollapse
+{
+public:
+  /// @param editor Must have feature curves.
+  explicit FeatureCurveCollapse(Editor& editor)
+    : MeshEditor(editor)
+    , FeatureCurves(*editor.FeatureCurves())
+  {
+  }
+
+  struct Targets
+  {
+    Index Edges = 0;    ///< Number of curve edges to reach.
+    Index Faces = 0;    ///< Least number of faces of the mesh.
+    double Bound = 0.0; ///< mm, of the deviation of a curve from the original one.
+  };
+  struct Result
+  {
+    Index Gone = 0;       ///< Number of original vertices removed.
+    bool IsBound = false; ///< A larger bound would allow more.
+    bool IsAborted = false;
+  };
+
+  Result Run(const Targets& targets, const Monitor& monitor);
+
+private:
+  struct Candidate
+  {
+    double Deviation; // mm
+    double Length;    // mm, of the new edge
+    Index Position;
+  };
+
+  void ListCandidates(double bound, Result& result);
+  Index Pass(const Targets& targets, Index most, const Monitor& monitor, Result& result);
+  bool MakesTriangle(Index position);
+  bool TryRemove(Index position, Index faces);
+  bool CollapseOnto(VertexId gone, VertexId stays, Index faces);
+
+  Editor& MeshEditor;
+  PatchBoundaries& FeatureCurves;
+  std::vector<Candidate> Candidates;
+  std::vector<char> WasTouched; // of each position, in this pass
+  std::vector<Edit> Edits;
+  std::vector<Index> BesideBefore; // original vertices
+  std::vector<Index> BesideAfter;
+};
+}
+
+#endif

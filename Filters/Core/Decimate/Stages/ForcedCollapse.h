@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ForcedCollapse.h
+ * @brief Collapses that exceed the error bound at first, together with moves around them that keep it (PatchFit.h).
+ *
+ *     a round:   evaluate the edges near changes: those whose largest ratio is at most a given one        (SlackCandidates.h)
+ *                choose candidates without a common neighborhood, the least ratio first
+ *                in parallel:     find moves that keep the bound, on copies                               (PatchFit.h)
+ *                on one thread:   apply what was found, each collapse with its moves as one proved edit   (Editor::CollapseAndMove)
+ *     rounds until no candidate is left
+ *
+ * A candidate that fails is tried again only when something near it has changed.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_ForcedCollapse_h
+#define BoneDecimate_Core_Decimate_Stages_ForcedCollapse_h
+
+#include "Decimate/Edit/Editor.h"
+#include "PatchFit.h"
+#include "SlackCandidates.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class ForcedCollapse
+{
+public:
+  /// @param editor Must keep quadrics, and they must be right.
+  /// @param farthest The largest ratio of a candidate.
+  ForcedCollapse(Editor& editor, Samples& samples, BackHints& hints, double farthest, int threads);
+
+  /// Down to that many faces at most. False if the monitor requests a stop.
+  bool Run(Index faces, const Monitor& monitor);
+  const ForcedCollapseFigures& Report() const { return this->Figures; }
+
+private:
+  struct Trial
+  {
+    SlackCandidate Candidate;
+    std::vector<Index> Vertices = {}; // that the edit may read
+    PatchFit::Result Found = {};
+  };
+  void DropChanged();
+  std::vector<Trial> Choose();
+  bool Gather(const SlackCandidate& candidate, std::vector<Index>& vertices);
+  bool TryAll(std::vector<Trial>& trials, const Monitor& monitor);
+  bool Apply(const Trial& trial);
+
+  Editor& MeshEditor;
+  Samples& Fit;
+  BackHints& Back;
+  SlackCandidates Candidates;
+  int Threads;
+  ForcedCollapseFigures Figures;
+  Workspace Space;
+  std::vector<SlackCandidate> Waiting;
+  std::vector<char> Taken; // of each vertex, in this round
+};
+}
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SampledErrors.h"
+
+#include "Base/Parallel.h"
+
+namespace bonedecimate
+{
+SampledErrors::SampledErrors(
+  const HalfEdgeMesh& mesh, const Samples& samples, const BackHints& hints)
+  : Mesh(mesh)
+  , Fit(samples)
+  , Back(hints)
+  , Weigh(mesh.Unit(), samples.Spread())
+  , Faces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), 0.0F)
+  , Vertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0.0F)
+  , Stamps(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0)
+{
+}
+
+//------------------------------------------------------------------------------
+double SampledErrors::OfFace(FaceId face) const
+{
+  return ErrorOfFace(this->Fit, this->Weigh, face, FrameOf(this->Mesh, face));
+}
+
+//------------------------------------------------------------------------------
+double SampledErrors::OfVertex(VertexId vertex) const
+{
+  double area = 0.0; // mm^2
+  for (const HalfEdgeId h : this->Mesh.OutgoingOf(vertex))
+  {
+    area += FrameOf(this->Mesh, HalfEdgeMesh::Face(h)).SurfaceArea();
+  }
+  const PointOnMesh found = this->Back.Find(this->Mesh.Position(vertex), vertex);
+  return this->Weigh.OfVertex(
+    BackWeightOfCollapse * CornerFraction * this->Weigh.InUnits(area), found.Point.SquaredDistance);
+}
+
+//------------------------------------------------------------------------------
+bool SampledErrors::MeasureAll(int threads, const Monitor& monitor)
+{
+  const auto ofFaces = [&](std::size_t, std::size_t first, std::size_t last)
+  {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const FaceId face = static_cast<Index>(i);
+      this->Faces[i] = this->Mesh.IsAlive(face) ? static_cast<float>(this->OfFace(face)) : 0.0F;
+    }
+  };
+  const auto ofVertices = [&](std::size_t, std::size_t first, std::size_t last)
+  {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const VertexId v = static_cast<Index>(i);
+      const bool counts = this->Mesh.Outgoing(v) != None && this->Mesh.MovesFreely(v);
+      this->Vertices[i] = counts ? static_cast<float>(this->OfVertex(v)) : 0.0F;
+    }
+  };
+  return ForEachChunk(this->Faces.size(), threads, PartOf(monitor, 0.0, 0.7), ofFaces) &&
+    ForEachChunk(this->Vertices.size(), threads, PartOf(monitor, 0.7, 1.0), ofVertices);
+}
+
+//------------------------------------------------------------------------------
+double SampledErrors::Around(const EdgeNeighborhood& around) const
+{
+  double error = this->Vertices[around.Start] + this->Vertices[around.End] +
+    this->Faces[around.GoneFaces[0]] + this->Faces[around.GoneFaces[1]];
+  for (const Index corner : around.Corners)
+  {
+    error += this->Faces[HalfEdgeMesh::Face(corner)];
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+void SampledErrors::AfterCollapse(VertexId vertex, double vertexError)
+{
+  this->Vertices[vertex] = static_cast<float>(vertexError);
+  ++this->Stamps[vertex];
+  for (const HalfEdgeId h : this->Mesh.OutgoingOf(vertex))
+  {
+    const FaceId face = HalfEdgeMesh::Face(h);
+    this->Faces[face] = static_cast<float>(this->OfFace(face));
+    ++this->Stamps[this->Mesh.Target(h)];
+  }
+}
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ShapeCollapse.h
+ * @brief Collapses an edge onto a position where the triangles around it have large angles.
+ *
+ * Candidates are the ends and the middle of the edge, and the position that RingShape finds from the best of them: as far from the
+ * original as the ends on average, on the original, and as found. The one of the largest smallest angle is tried first.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_ShapeCollapse_h
+#define BoneDecimate_Core_Decimate_Stages_ShapeCollapse_h
+
+#include "Decimate/Edit/Editor.h"
+#include "RingShape.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class ShapeCollapse
+{
+public:
+  /// @param largestCosine That of the least angle.  @param enough That of an angle that needs no improvement.
+  ShapeCollapse(Editor& editor, double largestCosine, double enough)
+    : MeshEditor(editor)
+    , LargestCosine(largestCosine)
+    , Enough(enough)
+  {
+  }
+
+  /// Collapses the edge if all triangles around it then have the least angle, or the worst of them becomes better.
+  /// @return Whether it was collapsed.
+  bool Try(HalfEdgeId edge);
+
+private:
+  struct Candidate
+  {
+    double Cosine;
+    Edit Proposed;
+  };
+  double CosineBefore(const EdgeNeighborhood& around) const;
+  void AddCandidates(const EdgeNeighborhood& around);
+  void AddSearched(const Vector3& start, const Vector3& end);
+  void Add(const Vector3& position, VertexId keep, bool stays);
+
+  Editor& MeshEditor;
+  double LargestCosine;
+  double Enough;
+  Workspace Space;
+  RingShape Ring;
+  Edit Proposed;             // what the candidates have in common
+  double LargestOfNew = 1.0; // candidates with a larger cosine are left out
+  std::vector<Candidate> Candidates;
+};
+}
+
+#endif

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SlackCandidates.h"
+
+#include "Base/Parallel.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr Index VerticesOfPart = 64;
+/// Where samples are farther, in limits, moving the vertex does not help.
+constexpr double Hopeless = 1.6;
+constexpr int MovesOfCandidate = 4;
+/// Points on the faces are looked at only where the samples are not farther than that, in the largest ratio of a candidate.
+constexpr double FarthestOfSamples = 1.02;
+}
+
+SlackCandidates::SlackCandidates(const Editor& editor, const Samples& samples,
+  const BackHints& hints, double farthest, int threads)
+  : MeshEditor(editor)
+  , Fit(samples)
+  , Back(hints)
+  , Farthest(farthest)
+  , Threads(threads)
+  , Changed(static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots()), 1)
+{
+}
+
+//------------------------------------------------------------------------------
+bool SlackCandidates::Find(const Monitor& monitor, std::vector<SlackCandidate>& candidates)
+{
+  const Index vertices = this->MeshEditor.Mesh().NumberOfVertexSlots();
+  std::vector<Index> alive;
+  for (VertexId v = 0; v < vertices; ++v)
+  {
+    if (this->MeshEditor.Mesh().Outgoing(v) != None && this->MeshEditor.Mesh().MovesFreely(v))
+    {
+      alive.push_back(v);
+    }
+  }
+  const Index count = static_cast<Index>(alive.size());
+  std::vector<std::vector<SlackCandidate>> found(
+    static_cast<std::size_t>((count + VerticesOfPart - 1) / VerticesOfPart));
+  const bool done = ForEachPart(found.size(), this->Threads, monitor,
+    [&](std::size_t i)
+    {
+      Evaluator evaluator = { SlackFit(this->MeshEditor, this->Fit, this->Back), {}, {} };
+      const Index first = static_cast<Index>(i) * VerticesOfPart;
+      const Index last = std::min(count, first + VerticesOfPart);
+      for (Index k = first; k < last; ++k)
+      {
+        this->EvaluateAt(alive[k], evaluator, found[i]);
+      }
+    });
+  for (const std::vector<SlackCandidate>& part : found)
+  {
+    candidates.insert(candidates.end(), part.begin(), part.end());
+  }
+  std::fill(this->Changed.begin(), this->Changed.end(), 0);
+  return done;
+}
+
+//------------------------------------------------------------------------------
+void SlackCandidates::EvaluateAt(
+  VertexId vertex, Evaluator& evaluator, std::vector<SlackCandidate>& found) const
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  evaluator.Edges.clear();
+  RateEdges(mesh, vertex, true, evaluator.Edges);
+  for (const RatedEdge& edge : evaluator.Edges)
+  {
+    SlackCandidate candidate;
+    if ((this->Changed[mesh.Origin(edge.Edge)] || this->Changed[mesh.Target(edge.Edge)]) &&
+      this->EvaluateEdge(edge, evaluator, candidate) && candidate.Ratio <= this->Farthest)
+    {
+      found.push_back(candidate);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// False if it may not be collapsed or is hopeless.
+bool SlackCandidates::EvaluateEdge(
+  const RatedEdge& edge, Evaluator& evaluator, SlackCandidate& candidate) const
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  if (!this->MeshEditor.Validate(edge.Edge, evaluator.Space).IsAccepted())
+  {
+    return false;
+  }
+  const EdgeNeighborhood& around = evaluator.Space.Around;
+  SlackFit& slack = evaluator.Slack;
+  Gather(mesh, around, slack);
+  const Vector3& start = mesh.Position(around.Start);
+  const Vector3& end = mesh.Position(around.End);
+  const std::array<Vector3, 4> positions = { edge.Position, 0.5 * (start + end), start, end };
+  double least = Hopeless;
+  for (const Vector3& position : positions)
+  {
+    const double ratio = slack.LargestOfSamples(position, least);
+    if (ratio < least)
+    {
+      least = ratio;
+      candidate.Position = position;
+    }
+  }
+  if (!(least < Hopeless))
+  {
+    return false;
+  }
+  const Index hint = this->Back.Of(around.Start);
+  slack.Use(SlackFit::Of::Samples);
+  const bool isNear = slack.Improve(candidate.Position, hint, MovesOfCandidate).Largest <
+    FarthestOfSamples * this->Farthest;
+  slack.Use(SlackFit::Of::Both);
+  if (!isNear)
+  {
+    return false;
+  }
+  const SlackFit::Value value = slack.Improve(candidate.Position, hint, MovesOfCandidate);
+  candidate.Ratio = value.Largest;
+  candidate.Edge = edge.Edge;
+  candidate.Start = around.Start;
+  candidate.End = around.End;
+  candidate.Hint = value.Hint;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::size_t SlackCandidates::SlotOfGone(const EdgeNeighborhood& around, std::size_t k)
+{
+  const auto apex = std::find(around.Ring.begin(), around.Ring.end(), around.Apexes[k]);
+  return static_cast<std::size_t>(apex - around.Ring.begin()) % around.Corners.size();
+}
+
+//------------------------------------------------------------------------------
+void SlackCandidates::Gather(
+  const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, SlackFit& slack)
+{
+  slack.Clear();
+  for (std::size_t i = 0; i < around.Corners.size(); ++i)
+  {
+    slack.AddFace(
+      mesh.Position(around.Ring[i]), mesh.Position(around.Ring[(i + 1) % around.Ring.size()]));
+    slack.AddSamples(HalfEdgeMesh::Face(around.Corners[i]), i);
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    slack.AddSamples(around.GoneFaces[k], SlotOfGone(around, k));
+  }
+}
+}

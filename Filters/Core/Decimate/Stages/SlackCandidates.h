@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SlackCandidates.h
+ * @brief Edges whose collapse keeps the error bound, or exceeds it by little, after its vertex has moved to the best position.
+ *
+ *     positions:   by quadrics, the middle, both ends: the nearest to the samples of the original                     (SlackFit.h)
+ *     hopeless:    left out
+ *     moves by the samples, then by samples and points on the faces
+ *
+ * Only edges near changes are evaluated. Edges at open boundaries and constrained parts are left out.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_SlackCandidates_h
+#define BoneDecimate_Core_Decimate_Stages_SlackCandidates_h
+
+#include "Decimate/Edit/Editor.h"
+#include "EdgeOrder.h"
+#include "SlackFit.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+struct SlackCandidate
+{
+  double Ratio = 0.0; ///< The largest distance in limits.
+  Index Edge = None;
+  Index Start = None;
+  Index End = None;
+  Vector3 Position = Vector3::Zero(); ///< mm from the local origin
+  Index Hint = None;
+
+  bool operator<(const SlackCandidate& other) const
+  {
+    return this->Ratio != other.Ratio ? this->Ratio < other.Ratio : this->Edge < other.Edge;
+  }
+};
+
+class SlackCandidates
+{
+public:
+  /// @param editor Must keep quadrics, and they must be right.  @param farthest The largest ratio of a candidate.
+  SlackCandidates(const Editor& editor, const Samples& samples, const BackHints& hints,
+    double farthest, int threads);
+
+  /// Edges near changes since the last call; at first all. False if the monitor requests a stop.
+  bool Find(const Monitor& monitor, std::vector<SlackCandidate>& candidates);
+
+  void NoteChange(VertexId vertex) { this->Changed[vertex] = 1; }
+  bool IsChanged(VertexId vertex) const { return this->Changed[vertex] != 0; }
+
+  /// The face of that fan nearest to the k-th face that the collapse removes.
+  static std::size_t SlotOfGone(const EdgeNeighborhood& around, std::size_t k);
+  /// The fan that the collapse of the edge makes, with the samples of all faces that were at the edge.
+  static void Gather(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, SlackFit& slack);
+
+private:
+  /// What evaluates edges on one thread.
+  struct Evaluator
+  {
+    SlackFit Slack;
+    Workspace Space;
+    std::vector<RatedEdge> Edges;
+  };
+  void EvaluateAt(VertexId vertex, Evaluator& evaluator, std::vector<SlackCandidate>& found) const;
+  bool EvaluateEdge(const RatedEdge& edge, Evaluator& evaluator, SlackCandidate& candidate) const;
+
+  const Editor& MeshEditor;
+  const Samples& Fit;
+  const BackHints& Back;
+  double Farthest;
+  int Threads;
+  std::vector<char> Changed; // of each vertex, since its edges were evaluated
+};
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SlackCollapse.h
+ * @brief Collapses where moving the merged vertex lets the faces around it keep the error bound (SlackFit.h).
+ *
+ *     a round:   evaluate the edges near changes, in parallel: those whose largest ratio is at most 1       (SlackCandidates.h)
+ *                on one thread: collapse them, the least ratio first, where no earlier collapse of the round changed anything
+ *     rounds until one removes little
+ *
+ * Edges at open boundaries and constrained parts are left to the sweep.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_SlackCollapse_h
+#define BoneDecimate_Core_Decimate_Stages_SlackCollapse_h
+
+#include "Decimate/Edit/Editor.h"
+#include "SlackCandidates.h"
+#include "SlackFit.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class SlackCollapse
+{
+public:
+  /// @param editor Must keep quadrics, and they must be right.
+  SlackCollapse(Editor& editor, Samples& samples, BackHints& hints, int threads);
+
+  /// Down to that many faces at most. False if the monitor requests a stop.
+  bool Run(Index faces, const Monitor& monitor);
+
+private:
+  bool Collapse(const SlackCandidate& candidate);
+  void HandOver(const EdgeNeighborhood& around);
+  bool IsTouched(const EdgeNeighborhood& around) const;
+
+  Editor& MeshEditor;
+  Samples& Fit;
+  BackHints& Back;
+  SlackCandidates Candidates;
+  SlackFit Slack;
+  Workspace Space;
+  std::vector<char> Touched; // of each vertex, in this round
+};
+}
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SlackFlipper.h"
+
+#include "Decimate/Edit/FlipAndMoveRules.h"
+
+#include <limits>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Faces that use less of the bound stay.
+constexpr double LeastRatioOfFlip = 0.8;
+/// To which part the error must fall.
+constexpr double FlipBelowError = 0.9;
+constexpr Index FacesOfReport = 1024;
+}
+
+bool SlackFlipper::Run(const Monitor& monitor)
+{
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  this->MeshEditor.DistributeVolumeBudget();
+  const double count = mesh.NumberOfFaceSlots();
+  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  {
+    if (face % FacesOfReport == 0 && !monitor(face / count))
+    {
+      return false;
+    }
+    for (Index corner = 0; corner < 3 && mesh.IsAlive(face); ++corner)
+    {
+      const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, corner);
+      const HalfEdgeId twin = mesh.Twin(h);
+      if (twin != None && h < twin && this->Improves(h) &&
+        this->MeshEditor.Flip(h, this->Space, 1).IsAccepted())
+      {
+        this->HandOver({ HalfEdgeMesh::Face(h), HalfEdgeMesh::Face(twin) });
+      }
+    }
+  }
+  this->MeshEditor.Settle(this->Space.Counted);
+  return monitor(1.0);
+}
+
+//------------------------------------------------------------------------------
+/// @param corners Around the vertex of both: it, and those of the faces in order.  @param faces The samples that belong to them.
+void SlackFlipper::Gather(const std::array<Vector3, 4>& corners, const std::array<FaceId, 2>& faces)
+{
+  this->Slack.Clear();
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    this->Slack.AddFace(corners[i + 1], corners[i + 2]);
+    this->Slack.AddSamples(faces[i], i);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SlackFlipper::Improves(HalfEdgeId edge)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
+  const std::array<Index, 4> ids = CornersAround(mesh, edge);
+  const auto [a, b, c, d] = PositionsOf(mesh, ids);
+  const std::array<FaceId, 2> faces = { HalfEdgeMesh::Face(edge),
+    HalfEdgeMesh::Face(mesh.Twin(edge)) };
+  this->Gather({ a, d, b, c }, { faces[1], faces[0] });
+  const SlackFit::Value now = this->Slack.EvaluatePair(a, this->Back.Of(ids[0]), infinity);
+  if (!(now.Largest > LeastRatioOfFlip && now.Largest < infinity))
+  {
+    return false;
+  }
+  this->Gather({ c, a, d, b }, faces);
+  return this->Slack.EvaluatePair(c, this->Back.Of(ids[2]), FlipBelowError * now.Error).Error <
+    FlipBelowError * now.Error;
+}
+
+//------------------------------------------------------------------------------
+/// After the flip, as the last evaluation found the samples.
+void SlackFlipper::HandOver(const std::array<FaceId, 2>& faces)
+{
+  this->Fit.Take(faces[0]);
+  this->Fit.Take(faces[1]);
+  for (const SlackFit::Member& member : this->Slack.Members())
+  {
+    this->Fit.Put(member.Sample, faces[member.Slot]);
+  }
+}
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SlackFlipper.h
+ * @brief Flips edges whose other diagonal uses less of the error bound (SlackFit.h).
+ *
+ * Collapses leave vertices of many edges beside vertices of few, and moves alone cannot even that out.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_SlackFlipper_h
+#define BoneDecimate_Core_Decimate_Stages_SlackFlipper_h
+
+#include "Decimate/Edit/Editor.h"
+#include "SlackFit.h"
+
+#include <array>
+
+namespace bonedecimate
+{
+class SlackFlipper
+{
+public:
+  SlackFlipper(Editor& editor, Samples& samples, BackHints& hints)
+    : MeshEditor(editor)
+    , Fit(samples)
+    , Back(hints)
+    , Slack(editor, samples, hints)
+  {
+  }
+
+  /// Every edge once. On one thread. False if the monitor requests a stop.
+  bool Run(const Monitor& monitor);
+
+private:
+  /// Two faces with the edge from the first to the third corner in common.
+  void Gather(const std::array<Vector3, 4>& corners, const std::array<FaceId, 2>& faces);
+  bool Improves(HalfEdgeId edge);
+  void HandOver(const std::array<FaceId, 2>& faces);
+
+  Editor& MeshEditor;
+  Samples& Fit;
+  BackHints& Back;
+  SlackFit Slack;
+  Workspace Space;
+};
+}
+
+#endif

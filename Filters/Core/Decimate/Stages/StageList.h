@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StageList.h
+ * @brief Runs the stages of a mode over one mesh editor, in order.
+ *
+ *     the targets hold already:   nothing
+ *     for each stage of the mode: run it; the reason why the last one ended is that of the run
+ *     aborted:                    no further stage
+ *
+ * A stage is a function of StageInput (Modes.h) in a file of its own. It leaves a valid mesh, aborted or not.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_StageList_h
+#define BoneDecimate_Core_Decimate_Stages_StageList_h
+
+#include "Base/Monitor.h"
+#include "Decimate/Edit/Editor.h"
+#include "Decimate/Schedule/StopCriterion.h"
+#include "Options/Modes.h"
+
+namespace bonedecimate
+{
+/// What every stage of a run works on.
+struct StageInput
+{
+  Editor& MeshEditor; ///< With what ModeInfo::NeedsFaceAreas() and NeedsQuadrics() tell.
+  const ModeInfo& Mode;
+  StopTargets Stops;
+  double NormalTolerance = 0.0; ///< w of Decimate/Cost/NormalFieldDeviation.h.
+  int Threads = 1;              ///< 0: as many as the processor has.
+  Index FacesAtStart = 0;       ///< Before the first stage; filled by RunStages().
+  const HalfEdgeMesh* InitialMesh =
+    nullptr; ///< Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
+  double RefinementEffort = 1.0; ///< Of the options.
+  ShapeLimits Shape = {};        ///< Of triangles.
+  ForcedCollapseFigures* Forced =
+    nullptr; ///< Receives what was tried and made; null: they are not kept.
+
+  bool ImprovesShape() const { return !this->Shape.IsAny(); }
+  bool HasReachedFaces() const;
+};
+
+/// Why a stage that has done all it could ends.
+StopReason ReasonToStop(const StageInput& input);
+
+/// @param monitor Fractions from 0 to 1; not empty.
+StopReason RunStages(StageInput input, const Monitor& monitor);
+}
+
+#endif

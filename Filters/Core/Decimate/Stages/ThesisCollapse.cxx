@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ThesisCollapse.h"
+
+#include "Decimate/Placement/PlaneQuadric.h"
+#include "Mesh/MeanEdgeLength.h"
+
+#include <algorithm>
+
+namespace bonedecimate
+{
+ThesisCollapse::ThesisCollapse(
+  Editor& editor, const QueuePolicies& policies, double tolerance, const StopTargets& stops)
+  : MeshEditor(editor)
+  , End(editor, stops)
+  , Policies(policies)
+  , Costs(policies.Cost(editor.Mesh(), editor.Areas(), tolerance, MeanEdgeLength(editor.Mesh())))
+  , Queue(editor.Mesh().NumberOfVertexSlots())
+{
+}
+
+//------------------------------------------------------------------------------
+StopReason ThesisCollapse::Run(const Monitor& monitor)
+{
+  if (!this->End.IsReached())
+  {
+    for (VertexId v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
+    {
+      this->Recost(v);
+    }
+  }
+  while (!this->End.IsReached())
+  {
+    if (this->Queue.IsEmpty())
+    {
+      return StopReason::NothingLeft;
+    }
+    this->CollapseAt(this->Queue.PopLowest());
+    if (!this->End.Tell(monitor))
+    {
+      return StopReason::Aborted;
+    }
+  }
+  return this->End.Reason();
+}
+
+//------------------------------------------------------------------------------
+StopReason ThesisCollapse::RunTo(const StopTargets& stops, const Monitor& monitor)
+{
+  this->End.Set(stops);
+  return this->Run(monitor);
+}
+
+//------------------------------------------------------------------------------
+bool ThesisCollapse::CollapseAt(VertexId vertex)
+{
+  this->EdgesOfVertex.clear();
+  this->MeshEditor.Mesh().VisitEdges(vertex,
+    [&](HalfEdgeId h) {
+      this->EdgesOfVertex.push_back({ this->Costs->OfEdge(h), h });
+    });
+  std::sort(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
+    [](const CostedEdge& a, const CostedEdge& b)
+    { return a.Cost != b.Cost ? a.Cost < b.Cost : a.Edge < b.Edge; });
+  return std::any_of(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
+    [this](const CostedEdge& candidate) { return this->CollapseEdge(candidate.Edge); });
+}
+
+//------------------------------------------------------------------------------
+bool ThesisCollapse::CollapseEdge(HalfEdgeId edge)
+{
+  if (!this->MeshEditor.Validate(edge).IsAccepted())
+  {
+    return false;
+  }
+  const PositionCandidates proposals = this->Policies.Placement(
+    this->MeshEditor.Mesh(), this->MeshEditor.Areas(), this->MeshEditor.Around());
+  for (std::size_t i = 0; i < proposals.Count; ++i)
+  {
+    const Edit& edit = proposals.Edits[i];
+    const VertexId gone = this->MeshEditor.Mesh().Across(edge, edit.Keep);
+    if (this->MeshEditor.Collapse(edit).IsAccepted())
+    {
+      this->Queue.Remove(gone);
+      this->Recost(edit.Keep);
+      this->MeshEditor.Mesh().VisitEdges(edit.Keep,
+        [&](HalfEdgeId h) { this->Recost(this->MeshEditor.Mesh().Across(h, edit.Keep)); });
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void ThesisCollapse::Recost(VertexId vertex)
+{
+  if (this->MeshEditor.Mesh().Outgoing(vertex) == None || IsHub(this->MeshEditor.Mesh(), vertex))
+  {
+    this->Queue.Remove(vertex);
+  }
+  else if (!this->MeshEditor.Mesh().IsConstrained(vertex))
+  {
+    this->Queue.Set(vertex, this->Costs->OfVertex(vertex));
+  }
+}
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VolumeMover.h
+ * @brief Gives components the volume back that edits took, by moves within the error bound.
+ *
+ *     of each vertex:   the mean distance of the samples in its faces from these faces, along its normal
+ *     of each component that has lost volume, the vertices where most of it is missing first:
+ *         move along the normal by that distance, or by half of it, where the faces then keep within the bound   (SlackMover)
+ *     until the component has its volume
+ *
+ * Moves that only lower the largest distance cut off more of convex parts than they add to concave ones.
+ */
+#ifndef BoneDecimate_Core_Decimate_Stages_VolumeMover_h
+#define BoneDecimate_Core_Decimate_Stages_VolumeMover_h
+
+#include "Decimate/Edit/Editor.h"
+#include "SlackMover.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class VolumeMover
+{
+public:
+  /// @param samples In the faces where they belong.
+  VolumeMover(Editor& editor, Samples& samples, BackHints& hints)
+    : MeshEditor(editor)
+    , Fit(samples)
+    , Mover(editor, samples, hints)
+  {
+  }
+
+  /// False if the monitor requests a stop.
+  bool Run(const Monitor& monitor);
+
+private:
+  struct Candidate
+  {
+    double Missing; // mm
+    double Sign;    // of the move along the normal of the ring
+    Index Vertex;
+
+    bool operator<(const Candidate& other) const
+    {
+      return this->Missing != other.Missing ? this->Missing > other.Missing
+                                            : this->Vertex < other.Vertex;
+    }
+  };
+  /// Of the samples of a face above it, weighted by their areas.
+  struct Height
+  {
+    double Sum = 0.0;    // mm times squares of the mesh's unit
+    double Weight = 0.0; // squares of the unit
+  };
+  std::vector<Height> SampledHeights() const;
+  void MeasureLost(const std::vector<Height>& heights);
+  std::vector<Candidate> FindCandidates(const std::vector<Height>& heights) const;
+  Vector3 RingArea(VertexId vertex) const;
+  void MoveAt(const Candidate& candidate);
+
+  Editor& MeshEditor;
+  const Samples& Fit;
+  SlackMover Mover;
+  Workspace Space;
+  std::vector<double> Lost; // mm^3, of each component
+};
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ChangePieces.h
+ * @brief Removes small islands and fills small cavities of a label map in memory.
+ */
+#ifndef BoneDecimate_Core_Labels_LabelMap_ChangePieces_h
+#define BoneDecimate_Core_Labels_LabelMap_ChangePieces_h
+
+#include "LabelPieces.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bonedecimate
+{
+struct PieceOptions
+{
+  std::vector<std::int64_t> Labels; ///< Whose pieces are looked at; empty: all but the background.
+  std::int64_t Background = 0;
+  IslandLimits Islands;
+  double CavityVolume = 0.0; ///< mm^3, the largest that is filled. 0: off.
+};
+
+struct PieceCounts
+{
+  bool FitInt64 = true;                ///< Whether all labels do. If not, nothing is changed.
+  std::vector<SegmentPieces> Islands;  ///< By label, ascending; empty without a limit.
+  std::vector<SegmentPieces> Cavities; ///< The same of cavities.
+};
+
+/**
+ * Islands are removed first, then cavities are filled.
+ * @param labels Change; contiguous, x fastest, then y; as many as the grid has voxels.
+ */
+PieceCounts ChangePieces(
+  const PieceOptions& options, void* labels, LabelType type, const VoxelGrid& grid);
+}
+
+#endif

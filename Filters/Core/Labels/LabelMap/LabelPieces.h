@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LabelPieces.h
+ * @brief Small islands and cavities of the segments of a label map, and the voxels that get another label without them.
+ *
+ *     island   a piece of a segment, connected by faces of voxels, other than the largest of the segment
+ *     cavity   a piece of background, connected by faces or edges of voxels, that does not reach the end of the image and
+ *              touches one segment alone
+ *
+ * Surfaces of the map have as many components as these pieces say (LabelSurfaces.h). An island gets the label on the largest part of
+ * its boundary, the background included; the end of the image counts as background. A cavity gets the label of its segment.
+ */
+#ifndef BoneDecimate_Core_Labels_LabelMap_LabelPieces_h
+#define BoneDecimate_Core_Labels_LabelMap_LabelPieces_h
+
+#include "LabelImage.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace bonedecimate
+{
+/// An island below any of these is removed. 0: off.
+struct IslandLimits
+{
+  double Size = 0.0;   ///< mm, the longest side of its box of voxels, along the axes of the image.
+  double Area = 0.0;   ///< mm^2, of the faces of its voxels.
+  double Volume = 0.0; ///< mm^3
+};
+
+/// Consecutive voxels that get a label.
+struct VoxelRun
+{
+  std::size_t First = 0;
+  std::size_t Count = 0;
+  std::int64_t Label = 0;
+};
+
+struct SegmentPieces
+{
+  std::int64_t Label = 0;
+  std::int64_t Pieces = 0;        ///< Islands that are removed, or cavities that are filled.
+  std::int64_t Voxels = 0;        ///< Of all of them.
+  double Volume = 0.0;            ///< mm^3, of all of them.
+  bool IsLargestTooSmall = false; ///< The largest piece, which stays, is below a limit, too.
+};
+
+struct PieceChanges
+{
+  std::vector<VoxelRun> Runs;          ///< In order of the voxels.
+  std::vector<SegmentPieces> Segments; ///< Of those that were requested, ascending.
+};
+
+/// @param segments Labels, each once, not the background. @param background Its label.
+PieceChanges FindIslands(const LabelImage& image, const std::vector<std::int64_t>& segments,
+  std::int64_t background, const IslandLimits& limits);
+
+/// Cavities of at most this volume, mm^3.
+PieceChanges FindCavities(const LabelImage& image, const std::vector<std::int64_t>& segments,
+  std::int64_t background, double largestVolume);
+}
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfacePiece.h
+ * @brief A surface with the labels of its triangles: cut between planes, and joined.
+ */
+#ifndef BoneDecimate_Core_Partition_Slabs_SurfacePiece_h
+#define BoneDecimate_Core_Partition_Slabs_SurfacePiece_h
+
+#include "Geometry/Surface.h"
+#include "Geometry/Zone.h"
+#include "Labels/LabelMap/VoxelGrid.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+struct SurfacePiece
+{
+  Surface Shape;                      ///< mm
+  std::vector<BoundaryLabels> Labels; ///< Of its triangles; empty: there is one label.
+};
+
+/// Whether a part of the triangle may lie between the planes.
+bool Reaches(const std::vector<Vector3>& points, const Triangle& corners, const Zone& zone);
+
+/// The triangles that reach between the planes, and their points, in their order.
+SurfacePiece CutBetween(const SurfacePiece& surface, const Zone& zone);
+
+/// Both; their points are not merged.
+SurfacePiece Joined(SurfacePiece first, const SurfacePiece& second);
+
+/// The largest of a coordinate of its points, mm.
+double LargestCoordinateOf(const Surface& surface);
+
+/// Removes points without triangles.
+/// @return Of each point that is left, its old index.
+std::vector<Index> RemoveUnusedPoints(Surface& surface);
+}
+
+#endif

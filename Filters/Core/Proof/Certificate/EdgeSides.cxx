@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EdgeSides.h"
+
+#include "Base/Parallel.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+
+namespace bonedecimate::certificate
+{
+namespace
+{
+/// A number of 64 bits in which every bit depends on all bits of the coordinates. Both zeros have the same number.
+std::uint64_t HashOf(const Vector3& p)
+{
+  std::uint64_t hash = 0;
+  for (const double coordinate : { p.x() + 0.0, p.y() + 0.0, p.z() + 0.0 })
+  {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &coordinate, sizeof(bits));
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15U; // 2^64 / golden ratio
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+/// For each point the least id of the points with the same coordinates.
+std::vector<Index> FirstPointAtEachPosition(const std::vector<Vector3>& points)
+{
+  std::size_t size = 1;
+  while (size < 2 * points.size())
+  {
+    size *= 2;
+  }
+  std::vector<Index> table(size, None);
+  std::vector<Index> same(points.size());
+  for (std::size_t point = 0; point < points.size(); ++point)
+  {
+    std::size_t at = HashOf(points[point]) & (size - 1);
+    while (table[at] != None && points[table[at]] != points[point])
+    {
+      at = (at + 1) & (size - 1);
+    }
+    table[at] = table[at] != None ? table[at] : static_cast<Index>(point);
+    same[point] = table[at];
+  }
+  return same;
+}
+
+/// Matches the sides of triangles along the edges between points, where point p has the id ids[p].
+class EdgeMatch
+{
+public:
+  EdgeMatch(const std::vector<Triangle>& triangles, const std::vector<Index>& ids)
+    : Triangles(triangles)
+    , Ids(ids)
+    , Starts(ids.size() + 2, 0)
+    , Found(triangles.size(), { NotRegular, NotRegular, NotRegular })
+  {
+  }
+
+  EdgeSides Run(int threads)
+  {
+    this->ForEachSide([&](Index low, const Half&) { ++this->Starts[low + 2]; });
+    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+    this->Halves.resize(this->Starts.back());
+    this->ForEachSide(
+      [&](Index low, const Half& half) { this->Halves[this->Starts[low + 1]++] = half; });
+    ForEachId(this->Starts.size() - 2, threads,
+      [&](std::size_t low)
+      {
+        this->MatchAt(this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low]),
+          this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low + 1]));
+      });
+    return std::move(this->Found);
+  }
+
+private:
+  /// A side of a triangle, stored at its end of lower id.
+  struct Half
+  {
+    Index High;
+    std::uint32_t Slot; // 3 * triangle + side
+  };
+  using Iterator = std::vector<Half>::iterator;
+
+  template <typename Visit>
+  void ForEachSide(const Visit& visit) const
+  {
+    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+    {
+      const auto& [a, b, c] = this->Triangles[t];
+      const Triangle ids = { this->Ids[a], this->Ids[b], this->Ids[c] };
+      if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0])
+      {
+        continue;
+      }
+      for (std::uint32_t side = 0; side < 3; ++side)
+      {
+        const auto [low, high] = std::minmax(ids[side], ids[(side + 1) % 3]);
+        visit(low, Half{ high, static_cast<std::uint32_t>(3 * t) + side });
+      }
+    }
+  }
+
+  void MatchAt(Iterator first, Iterator last)
+  {
+    std::sort(first, last, [](const Half& a, const Half& b) { return a.High < b.High; });
+    while (first != last)
+    {
+      const Iterator end =
+        std::find_if(first, last, [&](const Half& other) { return other.High != first->High; });
+      const std::uint32_t one = first->Slot;
+      const std::uint32_t other = (end - 1)->Slot;
+      if (end - first == 1)
+      {
+        this->Found[one / 3][one % 3] = Boundary;
+      }
+      if (end - first == 2 && this->Begin(one) != this->Begin(other))
+      {
+        this->Found[one / 3][one % 3] = static_cast<Index>(other / 3);
+        this->Found[other / 3][other % 3] = static_cast<Index>(one / 3);
+      }
+      first = end;
+    }
+  }
+
+  /// The id of the point at which the side begins.
+  Index Begin(std::uint32_t slot) const { return this->Ids[this->Triangles[slot / 3][slot % 3]]; }
+
+  const std::vector<Triangle>& Triangles;
+  const std::vector<Index>& Ids;
+  std::vector<std::uint32_t> Starts; // for each point its first edge to points of higher ids
+  std::vector<Half> Halves;
+  EdgeSides Found;
+};
+
+bool HasBoundaries(const EdgeSides& sides)
+{
+  return std::any_of(sides.begin(), sides.end(),
+    [](const std::array<Index, 3>& of)
+    { return std::find(of.begin(), of.end(), Boundary) != of.end(); });
+}
+}
+
+EdgeSides FindEdgeSides(
+  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles, int threads)
+{
+  std::vector<Index> ids(points.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  EdgeSides sides = EdgeMatch(triangles, ids).Run(threads);
+  if (HasBoundaries(sides)) // merging points can only remove boundaries
+  {
+    ids = FirstPointAtEachPosition(points);
+    sides = EdgeMatch(triangles, ids).Run(threads);
+  }
+  return sides;
+}
+
+std::vector<BoundaryEdge> FindBoundaries(const Surface& surface, const EdgeSides& sides)
+{
+  std::vector<BoundaryEdge> boundaries;
+  for (std::size_t t = 0; t < sides.size(); ++t)
+  {
+    const Triangle& corners = surface.Triangles[t];
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      if (sides[t][side] == Boundary)
+      {
+        boundaries.push_back({ { corners[side], corners[(side + 1) % 3] }, static_cast<Index>(t) });
+      }
+    }
+  }
+  return boundaries;
+}
+}

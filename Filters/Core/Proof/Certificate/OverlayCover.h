@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file OverlayCover.h
+ * @brief An upper bound of the distance from a triangle T to a surface of which a connected part covers T. It needs no cuts.
+ *
+ *     map the plane of T to coordinates (b, c) and each point of the surface to the coordinates of its foot on that plane
+ *     from a triangle of the surface, cross every edge whose image meets T
+ *         an edge that does not have exactly two triangles:                          no bound
+ *     an even number of images over one position in T:                               no bound
+ *     else the images cover T; the bound is the largest distance between a corner of the overlay of T and an image, and
+ *     the point of the surface that has this image
+ *
+ * Proof. Every edge of the visited triangles whose image meets T belongs to two of them, so no position in T is on the
+ * boundary of their chain (coefficients modulo 2), and the parity of the number of images is the same all over T. It is odd
+ * at one position, so every position t of T is the image of a point x of the surface. On the overlay of T and one image,
+ * t - x is affine, so |t - x| is largest at a corner.
+ *
+ * Rounding. The map is defined by the computed coordinates of the points and is linear on each triangle; the proof does not need
+ * x - t to be normal to T. Predicates are exact comparisons of these coordinates or have an error bound, and in doubt an edge meets T. An
+ * image is clipped at T widened by ClipMargin, so that the polygon contains the exact one; its corners carry coordinates and
+ * positions. T must not be thinner than LeastHeight, so the rounding error of a corner is below 1000 u of the extent (Foot.h).
+ */
+#ifndef BoneDecimate_Core_Proof_Certificate_OverlayCover_h
+#define BoneDecimate_Core_Proof_Certificate_OverlayCover_h
+
+#include "Foot.h"
+#include "Simplices.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace bonedecimate::certificate
+{
+/// For one worker; its memory is in proportion to the surface.
+class OverlayCover
+{
+public:
+  /// @param surface Must outlive this.
+  explicit OverlayCover(const Simplices& surface);
+
+  struct Bound
+  {
+    double Upper = std::numeric_limits<double>::infinity(); ///< mm; infinite: T is not covered
+    Vector3 Position = Vector3::Zero();                     ///< mm, where in T the bound is taken
+    Index Nearest = None;                                   ///< the triangle of the surface there
+  };
+
+  /// @param seed A triangle of the surface whose image meets T. With another one there is no bound.
+  Bound Find(const Corners& triangle, Index seed);
+  /// The triangles that the last search met, the seed first; none if its triangle was a needle.
+  const std::vector<Index>& Met() const { return this->Visited; }
+
+private:
+  /// A point of the surface and its image. The signed area coordinates of the image in T are 1 - B - C, B and C.
+  struct Image
+  {
+    Vector3 Point = Vector3::Zero(); // mm
+    double B = 0.0;
+    double C = 0.0;
+  };
+  struct KnownImage
+  {
+    Image At;
+    std::uint8_t Beyond = 0; // a bit for each side of T beyond which the image lies
+  };
+  using Shape = std::array<const KnownImage*, 3>;
+  /// A clipped triangle. Each clip adds a corner, or half as many again if rounding made the polygon concave.
+  struct Polygon
+  {
+    std::array<Image, 9> Corners;
+    std::size_t Count = 0;
+  };
+
+  bool Begin(const Corners& triangle);
+  Index ImageOf(Index point);
+  bool Visit(Index triangle, Bound& bound);
+  bool CountLayer(const Shape& shape);
+  void Measure(const Shape& shape, Index triangle, Bound& bound) const;
+  bool CrossEdges(const Shape& shape, Index triangle);
+  static Polygon Clip(const Polygon& polygon, int side, double margin);
+  Vector3 InTriangle(double b, double c) const;
+
+  const Simplices& Surface;
+  const EdgeSides& Sides;
+  Vector3 A, AB, AC;        // mm, of T
+  Vector3 TowardB, TowardC; // 1/mm, gradients of the coordinates
+  std::uint32_t Stamp = 0;  // of the current triangle T
+  std::vector<std::uint32_t> TriangleStamps, PointStamps;
+  std::vector<Index> ImageIndices; // of each point with the current stamp, in Images
+  std::vector<KnownImage> Images;
+  std::vector<Index> Visited; // triangles of the surface, in order
+  bool IsOdd = false;         // the number of layers over the test position
+};
+}
+
+#endif

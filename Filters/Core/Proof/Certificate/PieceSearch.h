@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PieceSearch.h
+ * @brief Branch and bound over the pieces of one simplex; see Search.h.
+ */
+#ifndef BoneDecimate_Core_Proof_Certificate_PieceSearch_h
+#define BoneDecimate_Core_Proof_Certificate_PieceSearch_h
+
+#include "CutChoice.h"
+#include "JointCover.h"
+#include "Search.h"
+
+#include <array>
+#include <limits>
+#include <memory>
+
+namespace bonedecimate::certificate
+{
+class PieceSearch
+{
+public:
+  PieceSearch(const Simplices& source, const Target& target, const PointValues& values,
+    const SearchGoal& goal, const LargestExcess& largest);
+
+  /// Closes pieces of a simplex with at most that many cuts.
+  /// @return mm, an upper bound of the excess of the open pieces; minus infinity if all are closed.
+  double Explore(Index simplex, std::int64_t mostCuts);
+
+  /// Searches one simplex independently of all others.
+  /// @return mm, an upper bound of the excess of this simplex, within the gap if that many cuts are enough.
+  double UpperOf(Index simplex, std::int64_t mostCuts);
+
+  const LargestExcess& Largest() const { return this->Most; }
+  /// mm; pieces are closed if their upper bound does not exceed this.
+  double ClosingBound() const;
+  double Closed() const
+  {
+    return this->MostClosed;
+  } ///< mm, largest upper bound of the closed pieces
+  std::int64_t Cuts() const { return this->CutsMade; }
+
+private:
+  struct Parts
+  {
+    std::array<Piece, 3> Pieces;
+    int Count = 0;
+    double Upper = -std::numeric_limits<double>::infinity(); // mm, the largest of them
+  };
+
+  Piece Whole(Index simplex) const;
+  bool CloseAsSame(const Piece& whole);
+  void Bound(Piece& piece, double parentUpper) const;
+  double UpperOver(const Piece& piece, Index simplex, double bound) const;
+  double UpperAt(const PieceCorner& corner, Index simplex) const;
+  void Learn(const PieceCorner& corner, Index simplex);
+  PieceCorner NewCorner(const Piece& piece, const CutWeights& weights) const;
+  Parts Divide(const Piece& piece, const CutWeights& weights, const PieceCorner& corner) const;
+  void Cut(const Piece& piece, Index simplex);
+  void BoundByCovers(Piece& piece, Index simplex);
+  bool IsSmall(const Piece& piece) const;
+  void BoundByOverlay(Piece& piece, Index simplex);
+  void BoundJointly(Piece& piece, Index simplex, std::size_t mostCorners);
+  bool AddNearest(const PieceCorner& far, double limit);
+  PieceCorner NearestAt(const Vector3& position, Index hint, Index simplex);
+
+  const Simplices& Source;
+  const Target& To;
+  const PointValues& Values;
+  const SearchGoal& Goal;
+  LargestExcess Most;
+  double MostClosed = -std::numeric_limits<double>::infinity(); // mm
+  std::int64_t CutsMade = 0;
+  std::vector<Piece> Stack;
+  JointCover Joint;
+  std::shared_ptr<OverlayCover> Cover; // null: pieces are not bounded by covers
+};
+}
+
+#endif

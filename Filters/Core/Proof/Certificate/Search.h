@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Search.h
+ * @brief Lower and upper bound of the largest distance of one set to another by branch and bound.
+ *
+ *     value of every corner                                lower = largest excess of a corner
+ *     in rounds, each with 16 times as many cuts for each simplex as the previous one:
+ *       for each simplex that is not closed yet, depth first:
+ *         upper = least of  a. for a simplex F found nearest to one of the corners: largest excess over F of a corner
+ *                           b. largest excess of a corner + how far a point of the piece can be from the corners
+ *                           c, d. what covers by several simplices prove: OverlayCover.h, JointCover.h
+ *         upper <= goal: closed;   else cut an edge, find what is nearest to the new corner
+ *     lower bound, again, by the distance to every simplex of the other set
+ *
+ * Excess: distance minus tolerance, which may be 0. Goal: the largest excess found so far plus the gap, or the value
+ * CloseBelow below which the excess need not be known more precisely. Bound a holds because the distance to a convex set
+ * is a convex function and the tolerance is linear: if it holds at three corners, it holds between them. It is exact as
+ * soon as F is the nearest simplex of all corners, which is why edges are cut where two candidates are equally far.
+ * Bound b holds because the distance is 1-Lipschitz. Wrong candidates make the search slower, never wrong.
+ *
+ * H. Alt, P. Brass, M. Godau, C. Knauer, C. Wenk, Computing the Hausdorff distance of geometric patterns and shapes,
+ * 2003: where maxima lie. M. Tang, M. Lee, Y. J. Kim, Interactive Hausdorff distance computation for general polygonal
+ * models, 2009: bounds of pieces between surfaces.
+ */
+#ifndef BoneDecimate_Core_Proof_Certificate_Search_h
+#define BoneDecimate_Core_Proof_Certificate_Search_h
+
+#include "Base/Monitor.h"
+#include "Certificate.h"
+#include "Simplices.h"
+#include "Target.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace bonedecimate::certificate
+{
+struct SearchGoal
+{
+  double CloseBelow = 0.0; ///< mm; pieces whose excess is proved not to exceed this are not refined
+  double RelativeGap = 0.0; ///< of upper and lower bound
+  double LeastGap = 0.0;    ///< mm; at least several slacks, or no piece is ever closed
+  double Slack = 0.0;       ///< mm; see Slack()
+  double Scale = 0.0;       ///< mm; added to the bound to which RelativeGap applies
+  bool Decides =
+    false; ///< Close no piece above CloseBelow as long as no excess above it was found.
+  std::int64_t MostCuts = 0;
+  int NumberOfThreads = 0;
+};
+
+/// The value of each point to the target, and the simplex of that value.
+struct PointValues
+{
+  std::vector<double> Value;  ///< mm; NaN for points that were not evaluated
+  std::vector<Index> Simplex; ///< None for these points
+};
+
+/// The position with the largest excess found so far.
+struct LargestExcess
+{
+  double Value = -std::numeric_limits<double>::infinity(); // mm, excess
+  double Tolerance = 0.0;                                  // mm
+  Vector3 Position = Vector3::Zero();                      // mm
+  Index Simplex = None;
+  Index Nearest = None; // of the target
+
+  void Join(const LargestExcess& other)
+  {
+    if (other.Value > this->Value)
+    {
+      *this = other;
+    }
+  }
+};
+
+/// What is known before a search.
+struct KnownBounds
+{
+  std::vector<double> Upper; ///< mm, of the excess of each simplex; empty: unknown
+  LargestExcess Largest;
+};
+
+/// @param ofAll Evaluate all usable points, not only corners.
+/// @param enough mm; values up to this need not be the least. Negative: all are.
+PointValues FindPointValues(const Simplices& source, const Target& target, bool ofAll,
+  double enough, int threads, const Monitor& monitor);
+
+/// Bounds of the largest excess of the source over the target.
+/// @param known Simplices whose upper bound is small enough are not searched.
+/// @param monitor Not empty. After an abort the upper bound is infinite.
+DistanceBounds FindLargestExcess(const Simplices& source, const Target& target,
+  const PointValues& values, const SearchGoal& goal, const KnownBounds& known,
+  const Monitor& monitor);
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleBounds.h"
+
+#include "Base/Parallel.h"
+
+#include <limits>
+
+namespace bonedecimate::certificate
+{
+namespace
+{
+constexpr std::int64_t MostCutsOfOne = 4096;
+}
+
+std::vector<double> FindTriangleBounds(const Simplices& source, const Target& target,
+  const PointValues& values, const SearchGoal& goal, LargestExcess& largest, const Monitor& monitor)
+{
+  std::vector<double> bounds(source.Size(), std::numeric_limits<double>::infinity());
+  std::vector<LargestExcess> parts(NumberOfChunks(source.Size()));
+  ForEachChunk(source.Size(), goal.NumberOfThreads, monitor,
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
+    {
+      PieceSearch search(source, target, values, goal, LargestExcess());
+      for (std::size_t simplex = first; simplex < last; ++simplex)
+      {
+        bounds[simplex] = search.UpperOf(static_cast<Index>(simplex), MostCutsOfOne);
+        parts[chunk].Join(search.Largest());
+      }
+    });
+  for (const LargestExcess& part : parts)
+  {
+    largest.Join(part);
+  }
+  return bounds;
+}
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file EditRecorder.h
+ * @brief Records the log of a run in an order that does not depend on the threads.
+ *
+ * Each worker lists its collapses. The lists of parallel workers are merged as if one worker had taken the cheapest edit
+ * first: by the largest rank so far in each list, then by list. Parallel workers have no vertex in common, so any order
+ * that preserves the order in each list is valid.
+ *
+ * Flips and moves are many, and no level ends between them: a patch stores their combined changes. So it does for moves that
+ * belong to a collapse.
+ */
+#ifndef BoneDecimate_Core_Proof_EditFilters_EditRecorder_h
+#define BoneDecimate_Core_Proof_EditFilters_EditRecorder_h
+
+#include "EditFilter.h"
+#include "Levels/EditLog.h"
+
+namespace bonedecimate
+{
+/// A filter that accepts every edit. Flips and moves are recorded by BeginPatch and EndPatch.
+class EditRecorder : public EditFilter
+{
+public:
+  void Commit(
+    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending, Tally& tally) override;
+  void Settle(Tally* tallies, std::size_t count) override;
+
+  /// To be called before and after flips and moves.
+  void BeginPatch(const HalfEdgeMesh& mesh);
+  void EndPatch(const HalfEdgeMesh& mesh);
+
+  /// Of the last collapse that was settled: vertices that move with it.
+  void AddMoves(const std::vector<VertexMove>& moves);
+
+  /// Positions are in mm from the local origin.
+  EditLog Take() { return std::move(this->Log); }
+
+private:
+  void Add(std::vector<LoggedCollapse>& collapses);
+  void AddMerged(Tally* tallies, std::size_t count);
+
+  EditLog Log;
+  std::vector<Triangle> CornersBefore;
+  std::vector<Vector3> PositionsBefore; // mm
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ProposedEdit.h
+ * @brief An edit that the rules of its kind allow, as the filters see it.
+ */
+#ifndef BoneDecimate_Core_Proof_EditFilters_ProposedEdit_h
+#define BoneDecimate_Core_Proof_EditFilters_ProposedEdit_h
+
+#include "FragmentVolumes.h"
+#include "JournalEntry.h"
+#include "Levels/EditLog.h"
+#include "Mesh/Edit.h"
+#include "Mesh/Rejection.h"
+#include "Mesh/VertexRange.h"
+#include "SurfaceChange.h"
+
+#include <array>
+#include <vector>
+
+namespace bonedecimate
+{
+/// What a worker's edits amount to until the editor settles it.
+struct Tally
+{
+  FragmentVolumes Volumes;
+  std::array<std::int64_t, NumberOfRejections> Rejections{};
+  std::int64_t Edits = 0;
+  Index RemovedFaces = 0;
+  std::vector<LoggedCollapse> Log; ///< Only where the run is recorded.
+  JournalPart Journal;             ///< Only in a draft.
+};
+
+struct ProposedEdit
+{
+  /// Of the collapses of one edge in several manifold patches: the first.
+  Edit Requested;
+  VertexId Vertex;               ///< A vertex of the component that changes.
+  double VolumeChange = 0.0;     ///< mm^3, of that component.
+  FaceId OtherGoneFace;          ///< Of a collapse; None on a boundary.
+  float Rank = 0.0F;             ///< Of a collapse: its cost, for the log (EditRecorder.h).
+  double AccumulatedError = 0.0; ///< mm, of a collapse: the estimate of its schedule.
+  VertexRange Range;             ///< What may be read and written.
+  int Workers = 1;               ///< How many edit the mesh at the same time.
+  const FragmentVolumes* Unsettled = nullptr; ///< Of the worker.
+  SurfaceChange Change;                       ///< Filled only if a filter needs it.
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file NearFaces.h
+ * @brief Some faces within the limit of an original vertex, the nearest first.
+ */
+#ifndef BoneDecimate_Core_Proof_ErrorBound_NearFaces_h
+#define BoneDecimate_Core_Proof_ErrorBound_NearFaces_h
+
+#include "Geometry/Surface.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bonedecimate
+{
+struct NearFaces
+{
+  static constexpr int Most = 12;
+  std::array<Index, Most> Faces;
+  std::array<float, Most> Squared; // mm^2
+  int Count = 0;
+
+  void Insert(Index face, float squared)
+  {
+    if (this->Count == Most && squared >= this->Squared[Most - 1])
+    {
+      return;
+    }
+    std::size_t at = static_cast<std::size_t>(this->Count < Most ? this->Count++ : Most - 1);
+    for (; at > 0 && this->Squared[at - 1] > squared; --at)
+    {
+      this->Squared[at] = this->Squared[at - 1];
+      this->Faces[at] = this->Faces[at - 1];
+    }
+    this->Squared[at] = squared;
+    this->Faces[at] = face;
+  }
+
+  /// Its position; None if it is not there.
+  int Find(Index face) const
+  {
+    const auto end = this->Faces.begin() + this->Count;
+    const auto found = std::find(this->Faces.begin(), end, face);
+    return found == end ? None : static_cast<int>(found - this->Faces.begin());
+  }
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StartOfWalk.h
+ * @brief Walks over the current mesh from a vertex of any constraint to the face nearest to a point.
+ */
+#ifndef BoneDecimate_Core_Proof_ErrorBound_StartOfWalk_h
+#define BoneDecimate_Core_Proof_ErrorBound_StartOfWalk_h
+
+#include "Proof/Reference/SurfaceWalk.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class StartOfWalk
+{
+public:
+  explicit StartOfWalk(const HalfEdgeMesh& mesh)
+    : Mesh(mesh)
+    , FaceAt(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
+  {
+    for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+    {
+      if (mesh.IsAlive(face))
+      {
+        for (const Index v : mesh.Corners(face))
+        {
+          this->FaceAt[v] = face;
+        }
+      }
+    }
+  }
+
+  /// @param vertex Of the mesh, with faces.
+  PointOnMesh FindNear(const Vector3& p, VertexId vertex) const
+  {
+    return this->Mesh.MovesFreely(vertex) ? WalkFromVertex(this->Mesh, p, vertex)
+                                          : WalkFrom(this->Mesh, p, this->FaceAt[vertex]);
+  }
+  /// A face of the vertex.
+  FaceId FaceOf(VertexId vertex) const { return this->FaceAt[vertex]; }
+
+private:
+  const HalfEdgeMesh& Mesh;
+  std::vector<Index> FaceAt;
+};
+}
+
+#endif

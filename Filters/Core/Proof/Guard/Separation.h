@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Separation.h
+ * @brief How near a surface comes to itself: at each triangle the distance within which it is one disk.
+ *
+ *     disk:        triangles connected across edges, with Euler characteristic 1
+ *     separation:  the triangles nearer than it belong to one disk; 0 at triangles that intersect others
+ *
+ * What lies beyond is another part of the surface: the other side of a thin plate or strut, or another fragment. Documentation/error-bound.md
+ * has what follows from it.
+ */
+#ifndef BoneDecimate_Core_Proof_Guard_Separation_h
+#define BoneDecimate_Core_Proof_Guard_Separation_h
+
+#include "Mesh/HalfEdgeMesh.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+/// mm, of each vertex the least of its triangles; infinite where it is not less than the limit.
+std::vector<double> Separations(const HalfEdgeMesh& mesh, double limit, int threads);
+}
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file WrittenPositions.h
+ * @brief Where vertices will be written, bit for bit.
+ *
+ * Positions of the mesh are relative to its local origin, so their last bits are not those of the coordinates that are written.
+ * Faces that nearly lie in one plane may pierce each other in one and not in the other.
+ */
+#ifndef BoneDecimate_Core_Proof_Guard_WrittenPositions_h
+#define BoneDecimate_Core_Proof_Guard_WrittenPositions_h
+
+#include "Mesh/Cleaning.h"
+#include "Mesh/PointRounding.h"
+
+namespace bonedecimate
+{
+class WrittenPositions
+{
+public:
+  /// Vertices are written where the mesh has them.
+  WrittenPositions() = default;
+  /// Points that never move are rounded like the others.
+  /// @param input Of which the other one was made; both must outlive this object.
+  /// @param error mm, how far vertices may move.
+  WrittenPositions(
+    const Surface& input, const CleanSurface& clean, double error, const PointRounding& rounding);
+
+  Vector3 Of(VertexId vertex, const Vector3& local) const;
+  /// mm, the most by which the difference of two coordinates written differs from that of the local ones, exactly subtracted.
+  double Rounding() const { return 2.0 * this->MostRounding; }
+
+private:
+  const Surface* Input = nullptr;
+  const CleanSurface* Clean = nullptr;
+  PointRounding Rounds = {};
+  double MostRounding = 0.0; // mm, of one coordinate
+};
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Thickness.h
+ * @brief The thickness of a part before and after, along the same directions.
+ *
+ *     direction      from a sample of the result against the normal of its triangle, because the normals of a staircase are
+ *                    far off
+ *     after          from the sample to the first triangle through which the line leaves the part
+ *     before         the same from the nearest point at which the line may enter the input
+ *
+ * Lines that do not leave one of the surfaces, through a boundary for example, are left out.
+ */
+#ifndef BoneDecimate_Core_Proof_Measure_Thickness_h
+#define BoneDecimate_Core_Proof_Measure_Thickness_h
+
+#include "Figures/PartFigures.h"
+#include "Geometry/BoundingTree.h"
+#include "Geometry/Surface.h"
+#include "Mesh/SurfaceParts.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+/// A surface and what is on both sides of its triangles.
+struct SolidSurface
+{
+  const bonedecimate::Surface& Surface;
+  const BoundingTree& Tree; ///< Of the surface.
+  const std::vector<PartSides>*
+    Sides; ///< Of each triangle; null: all normals point out of the one solid 0.
+};
+
+struct ThicknessChange
+{
+  ThicknessFigures Before, After;
+};
+
+/// @param triangles Of the result: the surface of the part, normals out of it.  @param solid The part, as in the sides.
+ThicknessChange CompareThickness(const SolidSurface& before, const SolidSurface& after,
+  const std::vector<Triangle>& triangles, Index solid, std::size_t samples, int threads);
+}
+
+#endif

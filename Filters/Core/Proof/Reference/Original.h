@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Original.h
+ * @brief The original surface, and its relation to the vertices of the current mesh.
+ */
+#ifndef BoneDecimate_Core_Proof_Reference_Original_h
+#define BoneDecimate_Core_Proof_Reference_Original_h
+
+#include "Base/LargeArray.h"
+#include "Geometry/BoundingTree.h"
+#include "Mesh/Cleaning.h"
+
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace bonedecimate
+{
+class Original
+{
+public:
+  /**
+   * @param clean Must outlive this.
+   * @param recordDistances Whether Merge measures the distance of each new vertex; otherwise there are no errors.
+   */
+  Original(const CleanSurface& clean, bool recordDistances);
+  Original(CleanSurface&&, bool) = delete;
+
+  /// Records that two vertices became one. Measures its distance if distances are recorded and it has moved.
+  void Merge(VertexId keep, VertexId gone, const Vector3& position);
+
+  /// Takes back the last merge into the other vertex; not where distances are recorded.
+  void Unmerge(VertexId gone) { this->MergedInto[static_cast<std::size_t>(gone)] = gone; }
+
+  /// Before the first split: from now on ids of removed vertices may be used again, each for one vertex.
+  void BeginSplits();
+  /// Records that the split of an edge with those ends made a vertex. Measures its distance if distances are recorded.
+  void Make(VertexId made, VertexId start, VertexId end, const Vector3& position);
+
+  /// Measures the distances of moved vertices if distances are recorded.
+  void RecordDisplacements(const std::vector<Vector3>& positions);
+
+  /// Whether the position differs from that of the input point in any bit.
+  bool HasMoved(VertexId vertex, const Vector3& position) const
+  {
+    return position != this->Clean.Surface.Points[static_cast<std::size_t>(vertex)];
+  }
+
+  const CleanSurface& AtFirst() const { return this->Clean; }
+
+  /// For each original vertex the current vertex into which it was merged, directly or through others.
+  std::vector<Index> CurrentVertices() const;
+
+  bool RecordsDistances() const { return !this->Errors.empty(); }
+  /// mm, the largest distance recorded along the collapses into the vertex; only where distances are recorded.
+  double RunningError(VertexId vertex) const
+  {
+    return this->Errors[static_cast<std::size_t>(vertex)];
+  }
+  double LargestError() const { return this->Largest; } ///< mm; maxError of the thesis.
+
+  /// For each point of the original surface a triangle at it.
+  std::vector<Index> TrianglesAtPoints() const;
+
+  /// Builds the tree on the first call, with that many threads. Thread-safe.
+  const BoundingTree& Tree(int threads = 1, const std::function<void()>& afterStep = {}) const;
+
+private:
+  void LookUp(VertexId vertex, const Vector3& position);
+
+  const CleanSurface& Clean;
+  mutable std::once_flag TreeIsBuilt;
+  mutable std::optional<BoundingTree> Triangles;
+  std::vector<Index>
+    AtSplits; // for each vertex the one into which it was merged before the first split; empty: none yet
+  LargeArray<Index> MergedInto; // since then; the vertex itself while it exists
+  std::vector<Index> Nearest;   // for each vertex, if distances are recorded
+  std::vector<double> Errors;   // the same, mm
+  double Largest = 0.0;         // mm
+};
+}
+
+#endif

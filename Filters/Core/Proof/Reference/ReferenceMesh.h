@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ReferenceMesh.h
+ * @brief The original of a run that continues an earlier one: the error bound refers to it, edits start from the input.
+ *
+ * Both meshes have ids of their own. Where they are related, walks start: only proofs say what is near.
+ */
+#ifndef BoneDecimate_Core_Proof_Reference_ReferenceMesh_h
+#define BoneDecimate_Core_Proof_Reference_ReferenceMesh_h
+
+#include "Geometry/BoundingTree.h"
+#include "Mesh/Cleaning.h"
+#include "Mesh/CutEdges.h"
+#include "Mesh/HalfEdgeMesh.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+struct ReferenceMesh
+{
+  CleanSurface Clean; ///< mm relative to the local origin of the input.
+  HalfEdgeMesh Mesh;
+  CutEdges Cuts;
+  BoundingTree Tree;
+  std::vector<Index> NearVertex; ///< Of each vertex of this mesh, a vertex of the input near it.
+  std::vector<Index>
+    NearTriangle; ///< Of each vertex of the input, a triangle of this mesh near it.
+};
+}
+
+#endif

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Samples.h
+ * @brief Sample points of the original surface, assigned to the faces of the current mesh.
+ *
+ * Each face of the current mesh has a list of the samples nearest to it. The lists are not maintained during the collapse.
+ * Afterwards each sample starts in the fan of the vertex into which a corner of its triangle was merged, and walks over
+ * neighboring faces while its distance decreases:
+ *
+ *     Distribute     builds all lists after a collapse; samples that end far away try the fans of other corners
+ *     Settle         every sample walks on from its face
+ *     Take, Put      an edit reassigns the samples of the faces it changed
+ */
+#ifndef BoneDecimate_Core_Proof_Reference_Samples_h
+#define BoneDecimate_Core_Proof_Reference_Samples_h
+
+#include "Base/Monitor.h"
+#include "Mesh/HalfEdgeMesh.h"
+#include "Original.h"
+#include "SurfaceWalk.h"
+
+#include <vector>
+
+namespace bonedecimate
+{
+class Samples
+{
+public:
+  struct Sample
+  {
+    std::array<float, 3>
+      Position; ///< From the local origin, units of the mesh, so that single precision suits any scale.
+    float Weight; ///< The area it represents, squares of that unit.
+    float Limit;  ///< mm, how far the result may be from it; infinite without an error bound.
+    Index Next;   ///< In the list of its face.
+  };
+
+  /// @param original The mesh before the first collapse; must outlive this.
+  /// @param mayBeThree Take three samples in each triangle if many faces remain. False: always one, which suffices where
+  ///   every edit is proved.
+  /// @param limits mm, of each vertex: how far the result may be from it. Empty: infinite.
+  /// @param shapeWeight What Spread() says.
+  explicit Samples(const HalfEdgeMesh& original, bool mayBeThree = true,
+    std::vector<float> limits = {}, double shapeWeight = 0.0);
+
+  /// Both return false after an abort; the lists are unusable then.
+  /// @param current Of each original vertex the vertex of the mesh into which it was merged, or one near it.
+  bool Distribute(const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads,
+    const Monitor& monitor);
+  bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
+
+  Index First(FaceId face) const { return this->Firsts[face]; }
+  const Sample& operator[](Index sample) const { return this->All[sample]; }
+  /// mm from the local origin
+  Vector3 SamplePosition(const Sample& sample) const
+  {
+    return { this->Unit * sample.Position[0], this->Unit * sample.Position[1],
+      this->Unit * sample.Position[2] };
+  }
+  /// Averages, after Distribute, and what shapes weigh against them.
+  struct Usual
+  {
+    double Distance = 0.0;    ///< Root mean square over the samples, mm.
+    double FaceArea = 0.0;    ///< Mean over the faces, squares of the unit.
+    double ShapeWeight = 0.0; ///< Of Decimate/Cost/SampledErrorCost.h; 0: distances alone count.
+  };
+  const Usual& Spread() const { return this->Measured; }
+
+  Index Count() const { return static_cast<Index>(this->All.size()); }
+
+  /// Empties the list of the face and returns its first sample. The caller has to put each sample into a list again.
+  Index Take(FaceId face)
+  {
+    const Index first = this->Firsts[face];
+    this->Firsts[face] = None;
+    return first;
+  }
+  void Put(Index sample, FaceId face)
+  {
+    this->All[sample].Next = this->Firsts[face];
+    this->Firsts[face] = sample;
+  }
+
+  template <typename Visit>
+  void VisitFace(FaceId face, Visit visit) const
+  {
+    for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
+    {
+      visit(this->All[s]);
+    }
+  }
+
+  /// mm, of the finite limits; little more than 0 without any.
+  float LargestLimit() const { return this->Largest; }
+
+private:
+  using CurrentVertices = std::vector<Index>; // of each original vertex
+
+  Index TriangleOf(Index id) const
+  {
+    return (id - this->Source.NumberOfVertexSlots()) / this->PerFace;
+  }
+  Vector3 PositionOf(Index id) const;
+  float LimitOf(Index id) const;
+  PointOnMesh FindNear(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const;
+  PointOnMesh FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
+    const PointOnMesh& found) const;
+  bool FindFaces(
+    const HalfEdgeMesh& mesh, const CurrentVertices& current, int threads, const Monitor& monitor);
+  bool SortByFace(Index faces, int threads, const Monitor& monitor);
+  std::vector<float> Weights(double& all) const;
+
+  const HalfEdgeMesh& Source;
+  double Unit; // mm
+  Usual Measured;
+  bool MayBeThree;
+  std::vector<float> Limits; // mm, of each vertex
+  float Largest;             // mm
+  bool HasSameFaces = true;  // whether ids of faces are those of original triangles
+  Index PerFace = 1;         // samples inside each original triangle
+  std::vector<Sample> All;
+  std::vector<Index> Faces;  // of each sample; valid only within Distribute and Settle
+  std::vector<Index> Firsts; // of each face
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BoundaryLoops.h
+ * @brief Open boundaries as closed loops of points, and the planes in which they lie.
+ */
+#ifndef BoneDecimate_Core_Repair_Caps_BoundaryLoops_h
+#define BoneDecimate_Core_Repair_Caps_BoundaryLoops_h
+
+#include "Geometry/Surface.h"
+
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace bonedecimate
+{
+struct BoundaryLoop
+{
+  std::vector<Index>
+    Points; ///< In the direction of triangles that fill it: against that of the surface's own.
+  std::size_t Triangle = 0;       ///< One that has an edge of the loop.
+  Vector3 Area = Vector3::Zero(); ///< mm^2, twice the vector area.
+};
+
+using PointPair = std::pair<Index, Index>; ///< The lower id first, unless it has a direction.
+
+struct BoundaryLoops
+{
+  std::vector<BoundaryLoop> Loops; ///< In the order of their first triangles.
+  std::size_t NonManifold = 0;     ///< Boundaries that end at a non-manifold edge: no loops.
+  std::vector<PointPair> Added;    ///< The ends of edges in whose middle a cap has a new point.
+  std::set<PointPair> Chords;      ///< Other edges of the surface between two points of loops.
+};
+
+/// Points of equal coordinates are one. Triangles with an id out of range or two equal corners do not count.
+BoundaryLoops FindBoundaryLoops(const Surface& surface);
+
+/**
+ * Loops at planes where the surface ends: within a distance of its points, a loop lies in the plane and all other points lie on
+ * its inner side. Loops of the same plane belong together, as the outer and the inner boundary of a cut shaft do. A
+ * loop of three points lies in a plane always, and counts only beside a larger one.
+ * @param tolerance mm
+ * @returns Indices of loops, a list per plane, the largest loop of each first.
+ */
+std::vector<std::vector<std::size_t>> GroupByEndPlanes(
+  const Surface& surface, const std::vector<BoundaryLoop>& loops, double tolerance);
+}
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CapTriangles.h
+ * @brief Triangles that fill boundary loops, by a triangulator of contours.
+ */
+#ifndef BoneDecimate_Core_Repair_Caps_CapTriangles_h
+#define BoneDecimate_Core_Repair_Caps_CapTriangles_h
+
+#include "BoundaryLoops.h"
+
+#include <functional>
+#include <vector>
+
+namespace bonedecimate
+{
+/// Closed contours one after the other, outlines and holes, in one plane.
+struct Contours
+{
+  std::vector<Vector3> Points; ///< mm
+  std::vector<Index> Starts;   ///< Of each contour its first point, and the number of points.
+  Vector3 Normal; ///< Of length 1; outlines are counter-clockwise around it, holes clockwise.
+};
+
+/// Triangles between the points of contours, as vtkContourTriangulator makes them; none if it cannot.
+using ContourTriangulator = std::function<std::vector<Triangle>(const Contours&)>;
+
+/// A connected piece with the loops that it closes.
+struct Cap
+{
+  std::vector<Triangle> Triangles;
+  std::vector<std::size_t> Loops;
+};
+
+/**
+ * Fills loops as outlines and holes, seen along the sum of their areas. Each edge of a loop gets one triangle, each other edge of a
+ * cap two. Where such an edge would be one of the surface, it is split in the middle.
+ * @param surface Points takes the new points.
+ * @param found Added takes their ends, Chords the edges of the caps.
+ * @param group Indices of loops. Those that cannot be filled are in no cap.
+ */
+std::vector<Cap> FillLoops(Surface& surface, BoundaryLoops& found,
+  const std::vector<std::size_t>& group, const ContourTriangulator& triangulate);
+}
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LeastAreaContour.h
+ * @brief Triangles of least area between the points of a contour in space; of about equal ones those with short edges.
+ *
+ * G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron, 1995: dynamic programming over the polygon.
+ */
+#ifndef BoneDecimate_Core_Repair_Caps_LeastAreaContour_h
+#define BoneDecimate_Core_Repair_Caps_LeastAreaContour_h
+
+#include "Geometry/Surface.h"
+
+#include <functional>
+#include <vector>
+
+namespace bonedecimate
+{
+/// Time grows with the third power of the number of points.
+constexpr std::size_t MostPointsOfLeastArea = 512;
+
+/**
+ * @param contour mm, in the direction of the triangles; need not lie in a plane.
+ * @param isAllowed Whether a triangle may have the edge between two points that are not neighbors on the contour.
+ * @returns Two triangles fewer than the contour has points; none if no triangulation is allowed, or if the contour has fewer than 3
+ *   points or more than MostPointsOfLeastArea.
+ */
+std::vector<Triangle> FillByLeastArea(
+  const std::vector<Vector3>& contour, const std::function<bool(Index, Index)>& isAllowed);
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceHints.h
+ * @brief What makes a surface hard to simplify, with a remedy: a double-sided surface, nearly equal points, one that is inside out.
+ */
+#ifndef BoneDecimate_Core_Repair_Diagnostics_SurfaceHints_h
+#define BoneDecimate_Core_Repair_Diagnostics_SurfaceHints_h
+
+#include "Geometry/Surface.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// What a run counted of its input, after cleaning.
+struct CountsOfInput
+{
+  std::int64_t Points = 0;
+  std::int64_t Triangles = 0;
+  std::int64_t NonManifoldPoints = 0;
+  std::int64_t Components = 0;
+  std::int64_t BoundaryEdges = 0;
+  double Volume = 0.0; ///< mm3, signed.
+};
+
+/**
+ * A sentence for each. The diagnostics, which take time, are run only if the counts tell that most of the surface is not manifold or
+ * not connected, or that it is closed and its volume negative.
+ * @param surface Of the same run, before cleaning.
+ */
+std::vector<std::string> SurfaceHints(
+  const Surface& surface, const CountsOfInput& counts, int threads = 0);
+}
+
+#endif

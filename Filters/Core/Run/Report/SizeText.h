@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SizeText.h
+ * @brief What is said about the size of an input, and a largest error compared with it.
+ */
+#ifndef BoneDecimate_Core_Run_Report_SizeText_h
+#define BoneDecimate_Core_Run_Report_SizeText_h
+
+#include "Figures/InputFigures.h"
+#include "Figures/InputStatus.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// A sentence for the status of CheckSize() of InputSize.h.
+std::string SizeMessage(const SizeFigures& size, InputStatus status);
+
+/// Warnings: the size is odd, or a smaller error than the requested one was used.
+std::vector<std::string> SizeWarnings(const SizeFigures& size);
+}
+
+#endif

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TunnelRun.h"
+
+#include "Base/RunProgress.h"
+#include "Base/StageClock.h"
+#include "Geometry/BoundingTree.h"
+#include "Mesh/Checksum.h"
+#include "Mesh/ManifoldPatches.h"
+#include "OptionConflict.h"
+#include "Repair/Diagnostics/Diagnostics.h"
+#include "Repair/Tunnels/CloseTunnels.h"
+#include "Run/Input/Tolerances.h"
+
+#include <utility>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr double ClosedAt = 0.1; // of the progress
+
+/// Points that have a tolerance of 0, or duplicates because the surface is not manifold there.
+std::vector<char> FixedPoints(const CleanSurface& clean, const std::vector<double>* tolerances)
+{
+  std::vector<char> isFixed(clean.Surface.Points.size(), 0);
+  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
+  for (std::size_t v = 0; v < originals.size(); ++v)
+  {
+    if (originals[v] != static_cast<Index>(v))
+    {
+      isFixed[v] = isFixed[static_cast<std::size_t>(originals[v])] = 1;
+    }
+  }
+  const std::vector<double> ofPoints =
+    tolerances != nullptr ? TolerancesOf(clean, *tolerances) : std::vector<double>();
+  for (std::size_t v = 0; v < ofPoints.size(); ++v)
+  {
+    isFixed[v] = isFixed[v] != 0 || ofPoints[v] == 0.0 ? 1 : 0;
+  }
+  return isFixed;
+}
+
+class TunnelRun
+{
+public:
+  TunnelRun(const Surface& input, const Options& options, const Monitor& monitor,
+    const RunInputs& inputs, const WholeRun& run)
+    : Input(input)
+    , Requested(options)
+    , Inputs(inputs)
+    , RunRest(run)
+    , Progress(monitor)
+  {
+  }
+
+  Result Run()
+  {
+    const StageClock clock;
+    const bool isRead = this->Close();
+    const double seconds = clock.Seconds();
+    Options rest = this->Requested;
+    rest.TunnelSize = 0.0;
+    const bool isChanged = !this->Ids.empty();
+    rest.DiagnoseInput = rest.DiagnoseInput && !isChanged;
+    const RunInputs inputs = isChanged ? this->InputsOfClosed() : this->Inputs;
+    Result result = this->RunRest(
+      isChanged ? this->Closed : this->Input, rest, this->Progress.Stage(ClosedAt, 1.0), inputs);
+    Report& report = result.Report;
+    report.Requested = this->Requested;
+    report.Tunnels = isRead ? std::move(this->Figures) : TunnelFigures();
+    if (isChanged)
+    {
+      this->NameInput(result);
+    }
+    report.Seconds.Prepare += seconds;
+    report.Seconds.Decimate += seconds;
+    report.Seconds.Total += seconds;
+    return result;
+  }
+
+private:
+  /// False if the input will be rejected.
+  bool Close()
+  {
+    const int threads = this->Requested.NumberOfThreads;
+    CleanSurface clean = Clean(this->Input, this->Requested.MergePoints, threads);
+    const std::vector<double>* tolerances = this->Inputs.Tolerances;
+    if (clean.Status != InputStatus::Good ||
+      (tolerances != nullptr && tolerances->size() != this->Input.Points.size()))
+    {
+      return false;
+    }
+    this->Cleaning = clean.Statistics;
+    SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface, threads));
+    TunnelConstraints constraints = { FixedPoints(clean, tolerances), {} };
+    for (const Index triangle : clean.InputTriangle)
+    {
+      if (this->Inputs.Labels != nullptr)
+      {
+        constraints.Labels.push_back(
+          this->Inputs.Labels->OfTriangle[static_cast<std::size_t>(triangle)]);
+      }
+    }
+    SurfaceWithoutTunnels made = CloseTunnels(clean.Surface, constraints,
+      this->Requested.TunnelSize, threads, this->Progress.Stage(0.0, ClosedAt));
+    this->Figures = std::move(made.Figures);
+    for (ClosedTunnel& tunnel : this->Figures.Closed)
+    {
+      tunnel.Center += clean.Origin;
+    }
+    if (!made.Added.empty())
+    {
+      this->Assemble(clean, made);
+    }
+    this->Progress.Stage(0.0, ClosedAt)(1.0);
+    return true;
+  }
+
+  /// The input without what was removed, and then the plugs.
+  void Assemble(const CleanSurface& clean, const SurfaceWithoutTunnels& made)
+  {
+    std::vector<char> isRemoved(this->Input.Triangles.size(), 0);
+    for (std::size_t t = 0; t < made.IsRemoved.size(); ++t)
+    {
+      isRemoved[static_cast<std::size_t>(clean.InputTriangle[t])] = made.IsRemoved[t];
+    }
+    this->Closed.Points = this->Input.Points;
+    for (std::size_t t = 0; t < isRemoved.size(); ++t)
+    {
+      if (isRemoved[t] == 0)
+      {
+        this->Closed.Triangles.push_back(this->Input.Triangles[t]);
+        this->Ids.push_back(static_cast<Index>(t));
+      }
+    }
+    this->FirstPlug = this->Ids.size();
+    const auto pointOf = [&clean](Index point)
+    { return clean.InputPoint[static_cast<std::size_t>(point)]; };
+    for (std::size_t i = 0; i < made.Added.size(); ++i)
+    {
+      const Triangle& corners = made.Added[i];
+      this->Closed.Triangles.push_back(
+        { pointOf(corners[0]), pointOf(corners[1]), pointOf(corners[2]) });
+      this->Ids.push_back(clean.InputTriangle[static_cast<std::size_t>(made.Replaced[i])]);
+    }
+  }
+
+  RunInputs InputsOfClosed()
+  {
+    RunInputs inputs = this->Inputs;
+    inputs.Regions = nullptr; // which are those of the input
+    if (this->Inputs.Labels != nullptr)
+    {
+      this->ClosedLabels.Names = this->Inputs.Labels->Names;
+      for (const Index id : this->Ids)
+      {
+        this->ClosedLabels.OfTriangle.push_back(
+          this->Inputs.Labels->OfTriangle[static_cast<std::size_t>(id)]);
+      }
+      inputs.Labels = &this->ClosedLabels;
+    }
+    return inputs;
+  }
+
+  /// Makes what names triangles and counts what was read refer to the input.
+  void NameInput(Result& result) const
+  {
+    Report& report = result.Report;
+    CleaningStatistics cleaning = this->Cleaning;
+    std::swap(cleaning, report.Cleaning);
+    report.Cleaning.NonManifoldPoints = cleaning.NonManifoldPoints;
+    report.Cleaning.FirstNonManifoldPoint = cleaning.FirstNonManifoldPoint;
+    report.Cleaning.BadTolerances = cleaning.BadTolerances;
+    report.Cleaning.FirstBadTolerance = cleaning.FirstBadTolerance;
+    report.Cleaning.BadEdgeLengths = cleaning.BadEdgeLengths;
+    report.Cleaning.FirstBadEdgeLength = cleaning.FirstBadEdgeLength;
+    report.Cleaning.CoarsePoints = cleaning.CoarsePoints;
+    report.Cleaning.MeetingPoints = cleaning.MeetingPoints;
+    report.Cleaning.FirstCoarsePoint = cleaning.FirstCoarsePoint;
+    report.Cleaning.LargestRounding = cleaning.LargestRounding;
+    report.Cleaning.ConstrainedPoints = cleaning.ConstrainedPoints;
+    report.InputChecksum = Checksum(this->Input, this->Requested.NumberOfThreads);
+    if (this->Requested.DiagnoseInput)
+    {
+      report.Diagnostics = Diagnose(this->Input, this->Requested.NumberOfThreads);
+    }
+    if (!result.Origins.NearestTriangle.empty() || !result.Origins.TriangleAtCentroid.empty())
+    {
+      this->NameOrigins(result);
+    }
+  }
+
+  void NameOrigins(Result& result) const
+  {
+    const BoundingTree tree(this->Input, this->Requested.NumberOfThreads);
+    SurfaceOrigins& origins = result.Origins;
+    const auto isPlug = [this](Index triangle)
+    { return static_cast<std::size_t>(triangle) >= this->FirstPlug; };
+    for (std::size_t p = 0; p < origins.NearestTriangle.size(); ++p)
+    {
+      Index& triangle = origins.NearestTriangle[p];
+      if (isPlug(triangle))
+      {
+        const BoundingTree::Nearest nearest = tree.FindNearest(result.Surface.Points[p]);
+        triangle = nearest.Triangle;
+        origins.Barycentric[p] = nearest.Point.Weights;
+      }
+      else
+      {
+        triangle = this->Ids[static_cast<std::size_t>(triangle)];
+      }
+    }
+    for (std::size_t t = 0; t < origins.TriangleAtCentroid.size(); ++t)
+    {
+      Index& triangle = origins.TriangleAtCentroid[t];
+      const Index replaced = this->Ids[static_cast<std::size_t>(triangle)];
+      triangle = isPlug(triangle) && this->Inputs.Labels == nullptr
+        ? tree.FindNearest(CentroidOf(result.Surface, t)).Triangle
+        : replaced; // which has the label of the plug
+    }
+  }
+
+  static Vector3 CentroidOf(const Surface& surface, std::size_t triangle)
+  {
+    const Triangle& corners = surface.Triangles[triangle];
+    return (surface.Points[static_cast<std::size_t>(corners[0])] +
+             surface.Points[static_cast<std::size_t>(corners[1])] +
+             surface.Points[static_cast<std::size_t>(corners[2])]) /
+      3.0;
+  }
+
+  const Surface& Input;
+  const Options& Requested;
+  const RunInputs& Inputs;
+  const WholeRun& RunRest;
+  RunProgress Progress;
+  CleaningStatistics Cleaning; // of the input
+  TunnelFigures Figures;
+  Surface Closed;
+  std::vector<Index>
+    Ids; // of its triangles in the input; of a plug one that it replaces. Empty: none was closed
+  std::size_t FirstPlug = 0; // of its triangles
+  Labels ClosedLabels;
+};
+}
+
+Result CloseTunnelsThenRun(const Surface& input, const Options& options, const Monitor& monitor,
+  const RunInputs& inputs, const WholeRun& run)
+{
+  if (!(options.TunnelSize > 0.0))
+  {
+    return run(input, options, monitor, inputs);
+  }
+  const std::string conflict = FindConflict(options, inputs);
+  return conflict.empty() ? TunnelRun(input, options, monitor, inputs, run).Run()
+                          : RejectedResult(options, conflict);
+}
+}
