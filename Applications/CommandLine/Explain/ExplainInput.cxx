@@ -36,6 +36,7 @@ std::string ProblemOf(vtkPolyData* surface, Options options)
   if (report.Status == InputStatus::Good)
   {
     const RunInputs inputs = named.Inputs();
+    report.HasTolerances = inputs.Tolerances != nullptr;
     report.Status = CheckErrors(input, clean, inputs.Tolerances,
       RoundingOf(options, inputs.InputIsSingle), options, report.Cleaning, report.Size);
   }

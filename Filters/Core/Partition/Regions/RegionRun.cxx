@@ -135,6 +135,7 @@ private:
     const CleanSurface& clean = this->Prepared->Cleaned;
     Report& report = this->Made.Report;
     report.Cleaning = clean.Statistics;
+    report.HasTolerances = true;
     const PointRounding rounding = RoundingOf(options, this->Inputs.InputIsSingle);
     const bool isManifold = clean.Statistics.NonManifoldPoints == 0;
     if (clean.Status != InputStatus::Good || rounding.HasGrid() ||
