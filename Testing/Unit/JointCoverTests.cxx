@@ -22,11 +22,22 @@ Corners CornersOf(const Surface& surface, Index triangle)
   return { surface.Points[a], surface.Points[b], surface.Points[c] };
 }
 
+/// mm, for the coordinates of these tests.
+constexpr double Slack = 1e-11;
+
+/// A cover of the triangle without candidates.
+JointCover CoverOf(const Corners& triangle)
+{
+  JointCover cover;
+  cover.Begin(Slack);
+  cover.Cover(triangle.data(), triangle.size());
+  return cover;
+}
+
 /// A cover of the triangle by all triangles of a surface.
 JointCover CoverBy(const Surface& surface, const Corners& triangle)
 {
-  JointCover cover;
-  cover.Begin(triangle);
+  JointCover cover = CoverOf(triangle);
   for (Index i = 0; i < static_cast<Index>(surface.Triangles.size()); ++i)
   {
     EXPECT_TRUE(cover.Add(CornersOf(surface, i), i));
@@ -122,8 +133,7 @@ TEST(JointCover, NeedsAllTrianglesThatOnlyTogetherAreNear)
 {
   // Nine squares in a row, and a triangle 0.1 above them.
   const Corners over = { Vector3{ 0.1, 0.1, 0.1 }, { 8.9, 0.5, 0.1 }, { 0.1, 0.9, 0.1 } };
-  JointCover cover;
-  cover.Begin(over);
+  JointCover cover = CoverOf(over);
   Index id = 0;
   for (int x = 0; x < 9; ++x)
   {
@@ -176,8 +186,7 @@ TEST(JointCover, EndsWithTheLargestNumberOfCorners)
 TEST(JointCover, HasUpTo64Candidates)
 {
   const Corners any = CornersOf(SquareFrom(0.0), 0);
-  JointCover cover;
-  cover.Begin(any);
+  JointCover cover = CoverOf(any);
   for (Index id = 0; id < 64; ++id)
   {
     EXPECT_FALSE(cover.Has(100 + id));
