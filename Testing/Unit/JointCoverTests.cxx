@@ -160,6 +160,36 @@ TEST(JointCover, NamesAPositionThatIsFar)
   EXPECT_NEAR(cover.Upper(), Vector3(7.9, 0.0, 0.1).norm(), 1e-12);
 }
 
+TEST(JointCover, MeasuresToCandidatesThatAreAddedLater)
+{
+  const Corners over = { Vector3{ 0.1, 0.1, 0.1 }, { 8.9, 0.5, 0.1 }, { 0.1, 0.9, 0.1 } };
+  JointCover cover = CoverOf(over);
+  Index id = 0;
+  const auto add = [&](double x)
+  {
+    for (Index i = 0; i < 2; ++i)
+    {
+      EXPECT_TRUE(cover.Add(CornersOf(SquareFrom(x), i), id++));
+    }
+  };
+  for (const double x : { 0.0, 4.0, 8.0, 50.0 })
+  {
+    add(x);
+  }
+  ASSERT_EQ(cover.Run(0.3, JointCover::MostCorners), Outcome::Far) << "beside the middle";
+  for (const double x : { 60.0, 70.0, 80.0 })
+  {
+    add(x);
+    EXPECT_EQ(cover.Run(0.3, JointCover::MostCorners), Outcome::Far) << "these are far, too";
+  }
+  for (const double x : { 1.0, 2.0, 3.0, 5.0, 6.0, 7.0 })
+  {
+    add(x);
+  }
+  ASSERT_EQ(cover.Run(0.3, JointCover::MostCorners), Outcome::Covered);
+  EXPECT_GE(cover.Upper(), 0.1);
+}
+
 TEST(JointCover, EndsWithTheLargestNumberOfCorners)
 {
   const Corners over = { Vector3{ 0.1, 0.1, 0.1 }, { 3.9, 0.5, 0.1 }, { 0.1, 0.9, 0.1 } };
@@ -229,6 +259,30 @@ TEST(PointValues, AreExactAboveWhatIsEnough)
       EXPECT_GE(value, exact - 1e-12);
       EXPECT_LE(value, std::max(exact + 1e-12, enough));
       EXPECT_EQ(value, target.ValueTo(source.Points[point], values.Simplex[point]));
+    }
+  }
+}
+
+TEST(PointValues, AreNotThoseOfAnotherLayer)
+{
+  const Surface layers = Together(Grid(4), Moved(Grid(4), { 0.0, 0.0, 1.0 }));
+  const certificate::EdgeSides sides = SidesOf(layers);
+  const certificate::Frame frame = certificate::FindFrame(layers, layers);
+  const certificate::Simplices set = certificate::WholeSurface(layers, sides, frame);
+  const Target target(set, 1, [] {});
+  Random random(7);
+  for (int k = 0; k < 100; ++k)
+  {
+    const Vector3 p(random.Between(0.0, 4.0), random.Between(0.0, 4.0), random.Between(0.0, 1.0));
+    const double exact = BruteNearest(layers, p).Distance;
+    for (const double enough : { 0.1, 0.3, 0.6 })
+    {
+      for (const Index hint : { 5, 40 }) // of either layer
+      {
+        const Target::Candidate found = target.FindNear(p, hint, enough);
+        EXPECT_LE(found.Value, std::max(exact + 1e-12, enough)) << k;
+        EXPECT_EQ(found.Value, target.ValueTo(p, found.Simplex));
+      }
     }
   }
 }
