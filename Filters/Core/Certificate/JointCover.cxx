@@ -91,15 +91,15 @@ bool JointCover::Add(const Corners& candidate, Index id)
     longer.squaredNorm() > 0.0 ? Vector3(longer.normalized()) : Vector3(Vector3::UnitX());
   const Vector3 v = Across(u, ac);
   const Vector3 w = u.cross(v);
-  const double bu = Dot(u, ab);
-  const double cu = Dot(u, ac);
-  const double cv = Dot(v, ac);
+  const double bAlong = Dot(u, ab);
+  const double cAlong = Dot(u, ac);
+  const double cAcross = Dot(v, ac);
   struct Side
   {
     double FromU, FromV, ToU, ToV;
   };
-  const std::array<Side, 3> sides = { Side{ 0.0, 0.0, bu, 0.0 }, { bu, 0.0, cu, cv },
-    { cu, cv, 0.0, 0.0 } };
+  const std::array<Side, 3> sides = { Side{ 0.0, 0.0, bAlong, 0.0 },
+    { bAlong, 0.0, cAlong, cAcross }, { cAlong, cAcross, 0.0, 0.0 } };
   this->Ids[this->Count++] = id;
   for (std::size_t i = this->Count - 1; i < this->Groups(); ++i) // the rest of the group repeats it
   {
