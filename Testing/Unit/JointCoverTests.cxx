@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace bonedecimate::testsupport
 {
 namespace
@@ -84,6 +86,24 @@ TEST(JointCover, MeasuresTheDistanceOfAPoint)
       ASSERT_EQ(cover.Run(1e3, 3), Outcome::Covered);
       EXPECT_NEAR(cover.Upper(), BruteNearest(surfaces[i], p).Distance, 1e-12) << i;
     }
+  }
+}
+
+TEST(JointCover, MeasuresToTrianglesOfAnySize)
+{
+  Random random(6);
+  for (int exponent = -170; exponent <= 30; exponent += 2)
+  {
+    const double size = std::pow(10.0, exponent);
+    const Vector3 p = std::max(size, 1.0) * Vector3(0.3, 0.4, 1.2);
+    const Corners candidate = { size * random.InCube(1e-3), size * random.InCube(1e-3),
+      size * random.InCube(1e-3) };
+    JointCover cover = CoverOf({ p, p, p });
+    cover.Add(candidate, 0);
+    ASSERT_EQ(cover.Run(1e32, 3), Outcome::Covered);
+    const Surface one = { { candidate[0], candidate[1], candidate[2] }, { { 0, 1, 2 } } };
+    const double exact = size < 1e-100 ? p.norm() : BruteNearest(one, p).Distance;
+    EXPECT_NEAR(cover.Upper() / exact, 1.0, 1e-12) << exponent;
   }
 }
 
