@@ -78,7 +78,7 @@ public:
   {
     this->Tree.SetUnit(this->Source);
     this->FindMiddles();
-    this->Tree.Nodes.reserve(this->Middles.size() / 3 + 1);
+    this->Tree.Nodes.reserve(this->Middles.size() / 2 + 1);
     std::vector<std::size_t> levels = { 0 };
     for (std::vector<Range> ranges = { { 0, static_cast<Index>(this->Middles.size()) } };
          !ranges.empty();)
@@ -87,7 +87,6 @@ public:
       levels.push_back(this->Tree.Nodes.size());
       afterStep();
     }
-    this->Tree.Nodes.shrink_to_fit();
     this->FillSlots();
     afterStep();
     this->Middles = {};

@@ -58,11 +58,12 @@ private:
   Parts Divide(const Piece& piece, const CutWeights& weights, const PieceCorner& corner) const;
   void Cut(const Piece& piece, Index simplex);
   void BoundByCovers(Piece& piece, Index simplex);
-  bool IsSmall(const Piece& piece) const;
   void BoundByOverlay(Piece& piece, Index simplex);
-  void BoundJointly(Piece& piece, Index simplex, std::size_t mostCorners);
-  bool AddNearest(const PieceCorner& far, double limit);
-  PieceCorner NearestAt(const Vector3& position, Index hint, Index simplex);
+  double Limit() const;
+  void BoundJointly(Piece& piece, Index simplex);
+  bool AddWithNeighbors(Index simplex);
+  bool AddNearest(Index nearest, double limit);
+  Index LearnNear(const Vector3& position, Index hint, const Piece& piece, Index simplex);
 
   const Simplices& Source;
   const Target& To;
