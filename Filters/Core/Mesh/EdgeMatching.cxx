@@ -25,15 +25,22 @@ EdgeMatching::EdgeMatching(
   const std::vector<Triangle>& triangles, std::size_t numberOfPoints, int threads)
   : Triangles(triangles)
   , Threads(threads)
-  , Start(numberOfPoints + 1, 0)
-  , Spokes(3 * triangles.size())
-  , TwinOf(4 * triangles.size())
 {
+  this->Match(numberOfPoints);
+}
+
+//------------------------------------------------------------------------------
+void EdgeMatching::Match(std::size_t numberOfPoints)
+{
+  this->Start.assign(numberOfPoints + 1, 0);
+  this->Spokes.resize(3 * this->Triangles.size());
+  this->TwinOf.resize(4 * this->Triangles.size());
   this->SortByOrigin();
-  ForEachId(triangles.size(), threads, [&](std::size_t t) { this->TwinOf[4 * t + 3] = None; });
+  ForEachId(
+    this->Triangles.size(), this->Threads, [&](std::size_t t) { this->TwinOf[4 * t + 3] = None; });
   const auto eachBlock = [&](auto step)
   {
-    ForEachBlock(numberOfPoints, threads,
+    ForEachBlock(numberOfPoints, this->Threads,
       [&](std::size_t, std::size_t first, std::size_t last) { (this->*step)(first, last); });
   };
   eachBlock(&EdgeMatching::SortLongLists);
@@ -247,7 +254,7 @@ void EdgeMatching::CountEdgesOf(Index triangle, EdgeCounts& counts) const
 //------------------------------------------------------------------------------
 void EdgeMatching::CutBetween(const std::vector<Index>& labels)
 {
-  for (Index h = 0; h < static_cast<Index>(this->TwinOf.size()); ++h)
+  for (Index h = 0; h < static_cast<Index>(this->TwinOf.size()) && !labels.empty(); ++h)
   {
     const Index twin = this->TwinOf[h];
     if (twin > h && labels[h >> 2] != labels[twin >> 2])
@@ -273,6 +280,20 @@ Rings EdgeMatching::FindRings() const
       }
     });
   return rings;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> NonManifoldPoints(const Rings& rings)
+{
+  std::vector<Index> points;
+  for (std::size_t p = 0; p < rings.Constraints.size(); ++p)
+  {
+    if (rings.Constraints[p] == VertexConstraint::NonManifold)
+    {
+      points.push_back(static_cast<Index>(p));
+    }
+  }
+  return points;
 }
 
 //------------------------------------------------------------------------------

@@ -33,7 +33,7 @@ struct EdgeCounts
   std::int64_t Edges = 0;
   std::int64_t Boundary = 0;    ///< Of exactly one triangle.
   std::int64_t NonManifold = 0; ///< Of three or more triangles.
-  std::int64_t HalfPairs = 0;   ///< Number of half-edges with a twin.
+  std::int64_t HalfPairs = 0;   ///< Number of half-edges with a twin; fewer after CutBetween.
 
   EdgeCounts& operator+=(const EdgeCounts& other)
   {
@@ -53,6 +53,8 @@ struct Rings
   /// For each point: NonManifold if one of its edges is odd or its triangles are not one fan.
   LargeArray<VertexConstraint> Constraints;
 };
+/// Ascending.
+std::vector<Index> NonManifoldPoints(const Rings& rings);
 
 class EdgeMatching
 {
@@ -61,12 +63,15 @@ public:
   EdgeMatching(const std::vector<Triangle>& triangles, std::size_t numberOfPoints, int threads = 1);
   EdgeMatching(std::vector<Triangle>&&, std::size_t, int = 1) = delete;
 
+  /// Again, after the triangles have changed.
+  void Match(std::size_t numberOfPoints);
+
   /// For half-edge 4 f + k its twin; None on a boundary, OddEdge if the twin is ambiguous.
   const LargeArray<Index>& Twins() const { return this->TwinOf; }
 
   EdgeCounts CountEdges() const;
 
-  /// Makes edges between triangles of different labels odd.  @param labels For each triangle.
+  /// Makes edges between triangles of different labels odd.  @param labels For each triangle. Empty: no labels.
   void CutBetween(const std::vector<Index>& labels);
 
   /// Corners of a triangle must differ.

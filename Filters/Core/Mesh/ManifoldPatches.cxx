@@ -12,9 +12,10 @@ namespace
 class Splitter
 {
 public:
-  Splitter(CleanSurface& clean, const HalfEdgeMesh& mesh)
+  Splitter(CleanSurface& clean, const EdgeMatching& edges, const Rings& rings)
     : Clean(clean)
-    , Mesh(mesh)
+    , Edges(edges)
+    , PointRings(rings)
   {
   }
 
@@ -26,12 +27,11 @@ public:
       return false;
     }
     this->GatherCorners();
-    this->IsCollected.assign(
-      static_cast<std::size_t>(HalfEdgeMesh::HalfEdge(this->Mesh.NumberOfFaceSlots(), 0)), false);
+    this->IsCollected.assign(this->Edges.Twins().size(), false);
     std::vector<Index>& originals = this->Clean.ManifoldPatches.OriginalVertices;
     originals.resize(this->Clean.Surface.Points.size());
     std::iota(originals.begin(), originals.end(), 0);
-    this->Clean.ManifoldPatches.Edges = this->Mesh.EdgesAtFirst();
+    this->Clean.ManifoldPatches.Edges = this->Edges.CountEdges();
     for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
       this->Split(this->Points[i], this->Corners.begin() + this->Starts[i],
@@ -44,14 +44,11 @@ private:
   /// Lists the NonManifold points.
   void FindPoints()
   {
-    this->Indices.assign(this->Clean.Surface.Points.size(), None);
-    for (VertexId v = 0; v < this->Mesh.NumberOfVertexSlots(); ++v)
+    this->Points = NonManifoldPoints(this->PointRings);
+    this->Indices.assign(this->Points.empty() ? 0 : this->Clean.Surface.Points.size(), None);
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
-      if (this->Mesh.Constraint(v) == VertexConstraint::NonManifold)
-      {
-        this->Indices[v] = static_cast<Index>(this->Points.size());
-        this->Points.push_back(v);
-      }
+      this->Indices[this->Points[i]] = static_cast<Index>(i);
     }
   }
 
@@ -61,12 +58,13 @@ private:
     this->Starts.assign(this->Points.size() + 1, 0);
     const auto visitCorners = [this](const auto& visit)
     {
-      for (FaceId face = 0; face < this->Mesh.NumberOfFaceSlots(); ++face)
+      const std::vector<Triangle>& triangles = this->Clean.Surface.Triangles;
+      for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t)
       {
         for (Index k = 0; k < 3; ++k)
         {
-          const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, k);
-          const Index index = this->Indices[this->Mesh.Origin(h)];
+          const HalfEdgeId h = HalfEdgeMesh::HalfEdge(t, k);
+          const Index index = this->Indices[triangles[t][k]];
           if (index != None)
           {
             visit(h, index);
@@ -100,24 +98,22 @@ private:
   /// Collects a fan from one corner in both directions around the point.
   void NameFan(Index corner, Index name)
   {
-    const auto isNew = [this](HalfEdgeId h) { return h != None && !this->IsCollected[h]; };
-    const auto give = [this, name](HalfEdgeId h)
+    const auto isNew = [this](Index h) { return h >= 0 && !this->IsCollected[h]; };
+    const LargeArray<Index>& twins = this->Edges.Twins();
+    const auto give = [this, name](Index h)
     {
       this->IsCollected[h] = true;
       this->Clean.Surface.Triangles[h >> 2][h & 3] = name;
     };
-    const auto before = [this](HalfEdgeId h) { return this->Mesh.Twin(HalfEdgeMesh::Previous(h)); };
-    const auto after = [this](HalfEdgeId h)
-    {
-      const HalfEdgeId twin = this->Mesh.Twin(h);
-      return twin == None ? HalfEdgeId() : HalfEdgeMesh::Next(twin);
-    };
+    const auto before = [&twins](Index h) { return twins[HalfEdgeMesh::Previous(h)]; };
+    const auto after = [&twins](Index h)
+    { return twins[h] < 0 ? None : Index(HalfEdgeMesh::Next(twins[h])); };
     give(corner);
-    for (HalfEdgeId h = before(corner); isNew(h); h = before(h))
+    for (Index h = before(corner); isNew(h); h = before(h))
     {
       give(h);
     }
-    for (HalfEdgeId h = after(corner); isNew(h); h = after(h))
+    for (Index h = after(corner); isNew(h); h = after(h))
     {
       give(h);
     }
@@ -134,7 +130,8 @@ private:
   }
 
   CleanSurface& Clean;
-  const HalfEdgeMesh& Mesh;
+  const EdgeMatching& Edges;
+  const Rings& PointRings;
   std::vector<Index> Indices; // for each point its index in Points; None: it is not split
   std::vector<Index> Points;
   std::vector<Index> Starts; // for each of Points its first corner
@@ -143,9 +140,17 @@ private:
 };
 }
 
-bool SplitIntoManifoldPatches(CleanSurface& clean, const HalfEdgeMesh& mesh)
+bool SplitIntoManifoldPatches(CleanSurface& clean, const EdgeMatching& edges, const Rings& rings)
 {
-  return Splitter(clean, mesh).Run();
+  return Splitter(clean, edges, rings).Run();
+}
+
+//------------------------------------------------------------------------------
+bool SplitIntoManifoldPatches(CleanSurface& clean, int threads, const std::vector<Index>& labels)
+{
+  EdgeMatching edges(clean.Surface.Triangles, clean.Surface.Points.size(), threads);
+  edges.CutBetween(labels);
+  return SplitIntoManifoldPatches(clean, edges, edges.FindRings());
 }
 
 //------------------------------------------------------------------------------
