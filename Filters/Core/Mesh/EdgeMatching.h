@@ -71,6 +71,9 @@ public:
 
   EdgeCounts CountEdges() const;
 
+  /// The half-edges that leave the point, ascending.
+  std::vector<Index> OutgoingAt(Index point) const;
+
   /// Makes edges between triangles of different labels odd.  @param labels For each triangle. Empty: no labels.
   void CutBetween(const std::vector<Index>& labels);
 
@@ -78,12 +81,6 @@ public:
   Rings FindRings() const;
 
 private:
-  /// A half-edge in the list of its origin.
-  struct Spoke
-  {
-    Index Target;
-    Index HalfEdge;
-  };
   /// The half-edges from one point to another.
   struct Bundle
   {
@@ -100,13 +97,14 @@ private:
   Bundle Between(Index from, Index to) const;
   void CountEdgesOf(Index triangle, EdgeCounts& counts) const;
   Index CountOnEdge(Index a, Index b) const;
-  bool IsFirstOnEdge(Index origin, const Spoke& spoke) const;
+  bool IsFirstOnEdge(Index origin, Index halfEdge) const;
+  Index TargetOf(Index halfEdge) const;
   void FindRing(Index point, Rings& rings) const;
 
   const std::vector<Triangle>& Triangles;
   int Threads;
   LargeArray<Index> Start;  // for each point its first spoke, and finally the end
-  LargeArray<Spoke> Spokes; // by origin; if there are many at a point, also by target
+  LargeArray<Index> Spokes; // half-edges by origin; if there are many at a point, also by target
   LargeArray<Index> TwinOf;
 };
 }

@@ -21,75 +21,33 @@ public:
 
   bool Run()
   {
-    this->FindPoints();
-    if (this->Points.empty())
+    const std::vector<Index> points = NonManifoldPoints(this->PointRings);
+    if (points.empty())
     {
       return false;
     }
-    this->GatherCorners();
     this->IsCollected.assign(this->Edges.Twins().size(), false);
     std::vector<Index>& originals = this->Clean.ManifoldPatches.OriginalVertices;
     originals.resize(this->Clean.Surface.Points.size());
     std::iota(originals.begin(), originals.end(), 0);
     this->Clean.ManifoldPatches.Edges = this->Edges.CountEdges();
-    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    for (const Index point : points)
     {
-      this->Split(this->Points[i], this->Corners.begin() + this->Starts[i],
-        this->Corners.begin() + this->Starts[i + 1]);
+      this->Split(point);
     }
     return true;
   }
 
 private:
-  /// Lists the NonManifold points.
-  void FindPoints()
-  {
-    this->Points = NonManifoldPoints(this->PointRings);
-    this->Indices.assign(this->Points.empty() ? 0 : this->Clean.Surface.Points.size(), None);
-    for (std::size_t i = 0; i < this->Points.size(); ++i)
-    {
-      this->Indices[this->Points[i]] = static_cast<Index>(i);
-    }
-  }
-
-  /// Lists the outgoing half-edges of each of these points.
-  void GatherCorners()
-  {
-    this->Starts.assign(this->Points.size() + 1, 0);
-    const auto visitCorners = [this](const auto& visit)
-    {
-      const std::vector<Triangle>& triangles = this->Clean.Surface.Triangles;
-      for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t)
-      {
-        for (Index k = 0; k < 3; ++k)
-        {
-          const HalfEdgeId h = HalfEdgeMesh::HalfEdge(t, k);
-          const Index index = this->Indices[triangles[t][k]];
-          if (index != None)
-          {
-            visit(h, index);
-          }
-        }
-      }
-    };
-    visitCorners([this](Index, Index index) { ++this->Starts[index + 1]; });
-    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-    this->Corners.resize(static_cast<std::size_t>(this->Starts.back()));
-    std::vector<Index> next(this->Starts.begin(), this->Starts.end() - 1);
-    visitCorners([&](HalfEdgeId h, Index index) { this->Corners[next[index]++] = h; });
-  }
-
-  using Iterator = std::vector<Index>::iterator;
-
   /// Duplicates the point for each fan but the first.
-  void Split(Index point, Iterator first, Iterator last)
+  void Split(Index point)
   {
     bool isFirst = true;
-    for (; first != last; ++first)
+    for (const Index corner : this->Edges.OutgoingAt(point))
     {
-      if (!this->IsCollected[*first])
+      if (!this->IsCollected[corner])
       {
-        this->NameFan(*first, isFirst ? point : this->AddCopy(point));
+        this->NameFan(corner, isFirst ? point : this->AddCopy(point));
         isFirst = false;
       }
     }
@@ -132,10 +90,6 @@ private:
   CleanSurface& Clean;
   const EdgeMatching& Edges;
   const Rings& PointRings;
-  std::vector<Index> Indices; // for each point its index in Points; None: it is not split
-  std::vector<Index> Points;
-  std::vector<Index> Starts; // for each of Points its first corner
-  std::vector<Index> Corners;
   std::vector<bool> IsCollected; // for each half-edge, whether its fan has been collected
 };
 }
