@@ -22,7 +22,7 @@ TEST(PatchBoundaries, AreTheEdgesBetweenPatches)
 {
   const Surface ball = HalvedBall(6);
   CleanSurface clean = Clean(ball, true);
-  SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
+  SplitIntoManifoldPatches(clean);
   const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
   const PatchBoundaries lines(mesh);
   EXPECT_EQ(lines.NumberOfEdges(), CountTopology(ball).NonManifoldEdges);
@@ -40,7 +40,7 @@ TEST(PatchBoundaries, DeviationIsThatOfTheFarthestRemovedVertex)
   Surface book = ThreeLeavedBook(6); // its spine are points 0 to 6
   book.Points[2][0] += 0.25;
   CleanSurface clean = Clean(book, true);
-  SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
+  SplitIntoManifoldPatches(clean);
   const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
   PatchBoundaries lines(mesh);
   const auto anything = [](Index) { return std::numeric_limits<double>::infinity(); };

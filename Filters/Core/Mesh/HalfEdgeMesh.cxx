@@ -39,21 +39,28 @@ double MeanLength(const Surface& surface, int threads)
 }
 }
 
+HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads, const PatchMap& patches)
+  : HalfEdgeMesh(
+      surface, EdgeMatching(surface.Triangles, surface.Points.size(), threads), threads, patches)
+{
+}
+
+//------------------------------------------------------------------------------
 HalfEdgeMesh::HalfEdgeMesh(
-  const Surface& surface, int threads, const PatchMap& patches, const std::vector<Index>& labels)
+  const Surface& surface, const EdgeMatching& edges, int threads, const PatchMap& patches)
+  : HalfEdgeMesh(surface, edges, edges.FindRings(), threads, patches)
+{
+}
+
+//------------------------------------------------------------------------------
+HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, const EdgeMatching& edges, Rings rings,
+  int threads, const PatchMap& patches)
   : Vertices(surface.Points.size())
   , Faces(surface.Triangles.size())
   , LiveFaces(static_cast<Index>(surface.Triangles.size()))
   , Length(MeanLength(surface, threads))
   , LengthUnit(std::ldexp(1.0, std::ilogb(this->Length)))
 {
-  EdgeMatching edges(surface.Triangles, surface.Points.size(), threads);
-  this->Counts = edges.CountEdges();
-  if (!labels.empty())
-  {
-    edges.CutBetween(labels);
-  }
-  Rings rings = edges.FindRings();
   this->Constraints = std::move(rings.Constraints);
   ForEachId(surface.Points.size(), threads,
     [&](std::size_t v) {
@@ -68,7 +75,11 @@ HalfEdgeMesh::HalfEdgeMesh(
       this->Faces[f].Twins = { std::max(None, twins[0]), std::max(None, twins[1]),
         std::max(None, twins[2]), None }; // odd edges have no twin
     });
-  if (!patches.OriginalVertices.empty())
+  if (patches.OriginalVertices.empty())
+  {
+    this->Counts = edges.CountEdges();
+  }
+  else
   {
     this->LinkDuplicates(patches);
   }

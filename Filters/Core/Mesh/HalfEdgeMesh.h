@@ -72,9 +72,13 @@ class HalfEdgeMesh
 {
 public:
   /// Every point must be used by a triangle, corners of a triangle must differ.
-  /// @param labels Of each triangle: edges between different ones are odd, and ManifoldPatches.h splits them. Empty: no labels.
-  explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const PatchMap& patches = {},
-    const std::vector<Index>& labels = {});
+  explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const PatchMap& patches = {});
+  /// @param edges Of these triangles.
+  HalfEdgeMesh(
+    const Surface& surface, const EdgeMatching& edges, int threads, const PatchMap& patches);
+  /// @param rings Of the edges.
+  HalfEdgeMesh(const Surface& surface, const EdgeMatching& edges, Rings rings, int threads,
+    const PatchMap& patches = {});
 
   // From the bits of the corner: branches would be mispredicted.
   static HalfEdgeId Next(HalfEdgeId h) { return h + 1 - 3 * (h >> 1 & 1); }

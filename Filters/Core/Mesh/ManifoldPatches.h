@@ -22,9 +22,12 @@
 namespace bonedecimate
 {
 /// Splits the surface and updates its maps. Duplicates are appended; each input point maps to the first of them.
-/// @param mesh Built from the surface.
-/// @return Whether anything was split: the mesh then has to be built again, with clean.ManifoldPatches.
-bool SplitIntoManifoldPatches(CleanSurface& clean, const HalfEdgeMesh& mesh);
+/// @param edges Of its triangles.
+/// @return Whether anything was split: its edges then have to be matched again.
+bool SplitIntoManifoldPatches(CleanSurface& clean, const EdgeMatching& edges, const Rings& rings);
+/// @param labels Of each triangle: edges between different ones are odd. Empty: no labels.
+bool SplitIntoManifoldPatches(
+  CleanSurface& clean, int threads = 1, const std::vector<Index>& labels = {});
 
 /// Number of points, duplicates not counted.
 std::int64_t NumberOfOriginalVertices(const CleanSurface& clean);

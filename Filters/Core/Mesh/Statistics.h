@@ -33,7 +33,8 @@ struct Components
   std::vector<Index> OfPoint;
   Index Count = 0;
 };
-Components FindComponents(const Surface& surface);
+/// @param originals Of each point another one, not after it, that is joined with it. Empty: none.
+Components FindComponents(const Surface& surface, const std::vector<Index>& originals = {});
 }
 
 #endif

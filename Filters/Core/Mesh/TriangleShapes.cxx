@@ -52,18 +52,19 @@ struct Shapes
 void Add(const Vector3& a, const Vector3& b, const Vector3& c, Shapes& shapes)
 {
   const double cosine = CosineOfSmallestAngle(a, b, c);
-  const auto bin = std::find_if(
-    EndsOfBins.begin(), EndsOfBins.end(), [cosine](double end) { return cosine > end; });
-  ++shapes.Bins[static_cast<std::size_t>(bin - EndsOfBins.begin())];
+  std::size_t bin = 0; // without branches, which would be mispredicted
+  for (std::size_t i = 0; i + 1 < EndsOfBins.size(); ++i)
+  {
+    bin += cosine > EndsOfBins[i] ? 0 : 1;
+  }
+  ++shapes.Bins[bin];
   shapes.LargestCosine = std::max(shapes.LargestCosine, cosine);
   const double area = AreaVector(a, b, c).norm();
   if (!(area > 0.0))
   {
     return;
   }
-  std::array<double, 3> squares = { (b - a).squaredNorm(), (c - b).squaredNorm(),
-    (a - c).squaredNorm() };
-  std::sort(squares.begin(), squares.end());
+  const std::array<double, 3> squares = SortedSquares(a, b, c);
   const double shortest = std::sqrt(squares[0]);
   const double middle = std::sqrt(squares[1]);
   const double longest = std::sqrt(squares[2]);

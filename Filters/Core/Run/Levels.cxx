@@ -40,8 +40,7 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads, const Run
     return LogStatus::OtherSurface;
   }
   SortAlongCurve(clean, threads); // the same numbers as in the run, see Decimate.cxx
-  const std::vector<Index> patches = PatchLabels(clean, inputs.Labels, map);
-  if (SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface, threads, {}, patches)))
+  if (SplitIntoManifoldPatches(clean, threads, PatchLabels(clean, inputs.Labels, map)))
   {
     SortAlongCurve(clean, threads);
   }

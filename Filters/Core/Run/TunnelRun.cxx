@@ -92,7 +92,7 @@ private:
       return false;
     }
     this->Cleaning = clean.Statistics;
-    SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface, threads));
+    SplitIntoManifoldPatches(clean, threads);
     TunnelConstraints constraints = { FixedPoints(clean, tolerances), {} };
     for (const Index triangle : clean.InputTriangle)
     {

@@ -118,8 +118,9 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   const bool voxelsFirst = this->GuardsVoxels &&
     (!settings.Bound ||
       VoxelGuard::ChecksBeforeBound(settings.Voxels->Grid, settings.Bound->Error));
-  this->Fragments = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
-    [this](const Surface& joined) { return std::make_shared<FragmentGuard>(this->Half, joined); });
+  const CleanSurface& clean = this->Source.AtFirst();
+  this->Fragments = std::make_shared<FragmentGuard>(
+    this->Half, clean.Surface, clean.ManifoldPatches.OriginalVertices);
   this->Filters.push_back(this->Fragments);
   if (!settings.Shape.IsAny())
   {

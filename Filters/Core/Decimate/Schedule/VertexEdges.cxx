@@ -112,7 +112,11 @@ VertexEdges::Candidate VertexEdges::TakeCheapest()
         taken.Move[k] = results.Moves[k][lane];
       }
       *at = Never;
-      results.Least = *std::min_element(results.Costs, results.Costs + EdgeBatch::Size);
+      results.Least = Never;
+      for (const float cost : results.Costs)
+      {
+        results.Least = std::min(results.Least, cost);
+      }
       break;
     }
   }

@@ -18,14 +18,11 @@ constexpr double LeastVolumeRatio = 0.25;
 constexpr double EditsOfVertex = 8.0;
 }
 
-FragmentGuard::FragmentGuard(const HalfEdgeMesh& mesh, const Surface& joined)
+FragmentGuard::FragmentGuard(
+  const HalfEdgeMesh& mesh, const Surface& surface, const std::vector<Index>& originals)
 {
-  Components components = FindComponents(joined);
+  Components components = FindComponents(surface, originals);
   this->OfVertex = std::move(components.OfPoint);
-  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-  {
-    this->OfVertex[v] = this->OfVertex[mesh.OriginalVertex(v)];
-  }
   this->Volumes.resize(static_cast<std::size_t>(components.Count));
   const std::vector<double> volumes = this->Measure(mesh);
   for (std::size_t i = 0; i < volumes.size(); ++i)

@@ -19,8 +19,9 @@ namespace bonedecimate
 class FragmentGuard : public EditFilter
 {
 public:
-  /// @param joined The surface of the mesh, its manifold patches joined.
-  FragmentGuard(const HalfEdgeMesh& mesh, const Surface& joined);
+  /// @param surface Of the mesh.  @param originals Of PatchMap.
+  FragmentGuard(
+    const HalfEdgeMesh& mesh, const Surface& surface, const std::vector<Index>& originals = {});
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,

@@ -24,14 +24,12 @@ void SetOrigin(const Surface& input, const Vector3& origin, CleanSurface& clean)
 HalfEdgeMesh BuildMesh(const SurfacePart& part, int threads, CleanSurface& clean)
 {
   SortAlongCurve(clean, threads);
-  HalfEdgeMesh mesh(
-    clean.Surface, threads, {}, PatchLabels(clean, part.ReferencePatches, part.ReferenceLabels));
-  if (SplitIntoManifoldPatches(clean, mesh))
+  if (SplitIntoManifoldPatches(
+        clean, threads, PatchLabels(clean, part.ReferencePatches, part.ReferenceLabels)))
   {
     SortAlongCurve(clean, threads);
-    mesh = HalfEdgeMesh(clean.Surface, threads, clean.ManifoldPatches);
   }
-  return mesh;
+  return HalfEdgeMesh(clean.Surface, threads, clean.ManifoldPatches);
 }
 
 /// Of each vertex the corner of that triangle that is nearest to it.
