@@ -10,6 +10,7 @@
 #include "Handles.h"
 
 #include <array>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -37,11 +38,25 @@ struct Edit
     Made = {}; ///< Of a split: the faces that it makes; the second None on a boundary.
 };
 
+/// The edge between two vertices, which is flipped together with an edit.
+struct EdgeFlip
+{
+  VertexId From;
+  VertexId To;
+};
+
 /// A vertex that moves together with an edit.
 struct VertexMove
 {
   VertexId Vertex;
   Vector3 Position; ///< mm from the local origin
+};
+
+/// What belongs to a collapse and is done after it, in this order.
+struct NearbyEdits
+{
+  std::vector<VertexMove> Moves;
+  std::vector<EdgeFlip> Flips;
 };
 }
 

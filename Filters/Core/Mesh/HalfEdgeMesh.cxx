@@ -167,6 +167,31 @@ void HalfEdgeMesh::Pair(HalfEdgeId h, HalfEdgeId twin)
 }
 
 //------------------------------------------------------------------------------
+void HalfEdgeMesh::Save(FaceId face, Saved& saved) const
+{
+  saved.Faces.emplace_back(face, this->Faces[face]);
+  for (Index corner = 0; corner < 3; ++corner)
+  {
+    const HalfEdgeId h = HalfEdge(face, corner);
+    saved.Vertices.emplace_back(this->Origin(h), this->Vertices[this->Origin(h)]);
+    if (this->Twin(h) != None)
+    {
+      saved.Faces.emplace_back(Face(this->Twin(h)), this->Faces[Face(this->Twin(h))]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The last first: what was saved twice was as at first the first time.
+void HalfEdgeMesh::Restore(const Saved& saved)
+{
+  std::for_each(saved.Faces.rbegin(), saved.Faces.rend(),
+    [this](const auto& face) { this->Faces[face.first] = face.second; });
+  std::for_each(saved.Vertices.rbegin(), saved.Vertices.rend(),
+    [this](const auto& vertex) { this->Vertices[vertex.first] = vertex.second; });
+}
+
+//------------------------------------------------------------------------------
 /// Replaces faces a b c and b a d by a d c and b c d, each in its old slot.
 void HalfEdgeMesh::Flip(HalfEdgeId h)
 {

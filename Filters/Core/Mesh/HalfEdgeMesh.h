@@ -30,6 +30,8 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -219,6 +221,14 @@ private:
   }
   /// The original area, mm^2.
   double FirstArea(FaceId face) const;
+  /// What edits of faces change, to undo them: the faces, those beside them and their corners.
+  struct Saved
+  {
+    std::vector<std::pair<FaceId, FaceRecord>> Faces;
+    std::vector<std::pair<VertexId, VertexRecord>> Vertices;
+  };
+  void Save(FaceId face, Saved& saved) const;
+  void Restore(const Saved& saved);
   /// To undo a collapse: the corners of each of its faces, then the twins of the removed ones. A removed face keeps its first
   /// normal.
   void RestoreCorners(FaceId face, const Triangle& corners)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchFit.h"
 
+#include "Edit/FlipAndMoveRules.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -17,10 +19,14 @@ constexpr double Within = 0.99;
 /// A sweep must gain that much of the largest ratio, and the rest must be within reach of the sweeps that are left.
 constexpr double LeastGainOfSweep = 0.002;
 constexpr double MostHope = 1.2;
+/// An edge whose faces use less of the bound is not flipped, nor where the error does not fall to that part.
+constexpr double RatioToFlip = 0.98;
+constexpr double PartAfterFlip = 0.9;
 }
 
-PatchFit::PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints)
-  : Mesh(editor.Mesh())
+PatchFit::PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints, int rings)
+  : Rings(rings)
+  , Mesh(editor.Mesh())
   , Back(hints)
   , Slack(editor, samples, hints)
 {
@@ -38,18 +44,26 @@ void PatchFit::Copy(const EdgeNeighborhood& around, const SlackCandidate& candid
 {
   this->Vertices.clear();
   this->Faces.clear();
-  Vertex merged = { around.Start, candidate.Position, candidate.Hint, {} };
+  this->Flips.clear();
+  this->Vertices.push_back({ around.Start, candidate.Position, candidate.Hint, {} });
+  std::vector<Corner> fan;
   for (std::size_t i = 0; i < around.Corners.size(); ++i)
   {
-    merged.Fan.push_back({ this->FaceOf(HalfEdgeMesh::Face(around.Corners[i])), around.Ring[i],
-      around.Ring[(i + 1) % around.Ring.size()] });
+    const std::size_t second = this->VertexOf(around.Ring[i]);
+    fan.push_back({ this->FaceOf(HalfEdgeMesh::Face(around.Corners[i])), second,
+      this->VertexOf(around.Ring[(i + 1) % around.Ring.size()]) });
   }
-  this->Vertices.push_back(merged);
-  for (const VertexId v : around.Ring)
+  this->Vertices[0].Fan = std::move(fan);
+  std::size_t from = 1;
+  for (int ring = 0; ring < this->Rings; ++ring)
   {
-    if (MayMove(this->Mesh, v))
+    const std::size_t end = this->Vertices.size();
+    for (; from < end; ++from)
     {
-      this->CopyRing(v, around);
+      if (MayMove(this->Mesh, this->Vertices[from].Id))
+      {
+        this->CopyRing(this->Vertices[from].Id, around);
+      }
     }
   }
   this->CopySamples(around);
@@ -60,17 +74,18 @@ void PatchFit::Copy(const EdgeNeighborhood& around, const SlackCandidate& candid
 void PatchFit::CopyRing(VertexId vertex, const EdgeNeighborhood& around)
 {
   const auto merged = [&](VertexId v) { return v == around.End ? around.Start : v; };
-  Vertex copy = { vertex, this->Mesh.Position(vertex), this->Back.Of(vertex), {} };
+  std::vector<Corner> fan;
   for (const HalfEdgeId h : this->Mesh.OutgoingOf(vertex))
   {
     const FaceId face = HalfEdgeMesh::Face(h);
     if (face != around.GoneFaces[0] && face != around.GoneFaces[1])
     {
-      copy.Fan.push_back({ this->FaceOf(face), merged(this->Mesh.Target(h)),
-        merged(this->Mesh.Origin(HalfEdgeMesh::Previous(h))) });
+      const std::size_t second = this->VertexOf(merged(this->Mesh.Target(h)));
+      fan.push_back({ this->FaceOf(face), second,
+        this->VertexOf(merged(this->Mesh.Origin(HalfEdgeMesh::Previous(h)))) });
     }
   }
-  this->Vertices.push_back(copy);
+  this->Vertices[this->VertexOf(vertex)].Fan = std::move(fan);
 }
 
 //------------------------------------------------------------------------------
@@ -111,11 +126,18 @@ std::size_t PatchFit::FaceOf(Index id)
 }
 
 //------------------------------------------------------------------------------
-const Vector3& PatchFit::PositionOf(Index vertex) const
+/// The same of a vertex.
+std::size_t PatchFit::VertexOf(Index id)
 {
   const auto known = std::find_if(this->Vertices.begin(), this->Vertices.end(),
-    [vertex](const Vertex& other) { return other.Id == vertex; });
-  return known != this->Vertices.end() ? known->Position : this->Mesh.Position(vertex);
+    [id](const Vertex& vertex) { return vertex.Id == id; });
+  const std::size_t position = static_cast<std::size_t>(known - this->Vertices.begin());
+  if (known == this->Vertices.end())
+  {
+    this->Vertices.push_back(
+      { id, this->Mesh.Position(VertexId(id)), this->Back.Of(VertexId(id)), {} });
+  }
+  return position;
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +147,8 @@ SlackFit::Value PatchFit::Evaluate(const Vertex& vertex, const Vector3& position
   for (std::size_t slot = 0; slot < vertex.Fan.size(); ++slot)
   {
     const Corner& corner = vertex.Fan[slot];
-    this->Slack.AddFace(this->PositionOf(corner.Second), this->PositionOf(corner.Third));
+    this->Slack.AddFace(
+      this->Vertices[corner.Second].Position, this->Vertices[corner.Third].Position);
     for (const SlackFit::Member& member : this->Faces[corner.Face].Members)
     {
       this->Slack.AddMember({ member.Sample, slot, member.Counts });
@@ -149,19 +172,34 @@ void PatchFit::HandOver(const Vertex& vertex)
 }
 
 //------------------------------------------------------------------------------
+/// Those that the rules do not allow in place of the faces of the mesh.
+Index PatchFit::NumberOfBadFaces(const Vertex& vertex) const
+{
+  return static_cast<Index>(std::count_if(vertex.Fan.begin(), vertex.Fan.end(),
+    [&](const Corner& corner)
+    {
+      return CheckNewFace(this->Mesh, this->Faces[corner.Face].Id,
+               { vertex.Position, this->Vertices[corner.Second].Position,
+                 this->Vertices[corner.Third].Position }) != Rejection::NotRejected;
+    }));
+}
+
+//------------------------------------------------------------------------------
 /// Moves the vertex if that helps.  @return The largest ratio of its faces.
 double PatchFit::Improve(Vertex& vertex)
 {
-  const SlackFit::Value before =
-    this->Evaluate(vertex, vertex.Position, std::numeric_limits<double>::infinity());
+  const SlackFit::Value before = this->Evaluate(vertex, vertex.Position, Infinity);
   this->HandOver(vertex);
   if (!(before.Largest > RatioToMove))
   {
     return before.Largest;
   }
+  const Vector3 start = vertex.Position;
+  const Index badBefore = this->NumberOfBadFaces(vertex);
   const SlackFit::Value after = this->Slack.TryStep(vertex.Position, before);
-  if (!(after.Error < before.Error))
+  if (!(after.Error < before.Error) || this->NumberOfBadFaces(vertex) > badBefore)
   {
+    vertex.Position = start;
     return before.Largest;
   }
   vertex.Hint = after.Hint;
@@ -171,13 +209,167 @@ double PatchFit::Improve(Vertex& vertex)
 }
 
 //------------------------------------------------------------------------------
+PatchFit::Edge PatchFit::EdgeAt(std::size_t vertex, std::size_t slot) const
+{
+  const std::vector<Corner>& fan = this->Vertices[vertex].Fan;
+  const Corner& left = fan[slot];
+  const Corner& right = fan[(slot + fan.size() - 1) % fan.size()];
+  return { vertex, left.Second, left.Third, right.Second, left.Face, right.Face };
+}
+
+//------------------------------------------------------------------------------
+/// One of the vertices that the new edge connects is inside of the copy, which then has all of its edges.
+bool PatchFit::FlipIsAllowed(const Edge& edge) const
+{
+  const auto isConnected = [this](std::size_t from, std::size_t to)
+  {
+    const std::vector<Corner>& fan = this->Vertices[from].Fan;
+    return fan.empty() ||
+      std::any_of(
+        fan.begin(), fan.end(), [to](const Corner& corner) { return corner.Second == to; });
+  };
+  if (edge.C == edge.D || (isConnected(edge.C, edge.D) && isConnected(edge.D, edge.C)))
+  {
+    return false;
+  }
+  const auto isFree = [this](std::size_t vertex)
+  { return !this->Mesh.IsConstrained(this->Vertices[vertex].Id); };
+  const auto isGood = [this](std::size_t face, std::size_t a, std::size_t b, std::size_t c)
+  {
+    return CheckNewFace(this->Mesh, this->Faces[face].Id,
+             { this->Vertices[a].Position, this->Vertices[b].Position,
+               this->Vertices[c].Position }) == Rejection::NotRejected;
+  };
+  return isFree(edge.B) && isFree(edge.C) && isFree(edge.D) &&
+    isGood(edge.Left, edge.D, edge.C, edge.A) && isGood(edge.Right, edge.C, edge.D, edge.B) &&
+    KeepsShape({ this->Vertices[edge.A].Position, this->Vertices[edge.B].Position,
+      this->Vertices[edge.C].Position, this->Vertices[edge.D].Position });
+}
+
+//------------------------------------------------------------------------------
+/// @param corners Around the vertex of both faces: it, and those of the faces in order.
+void PatchFit::GatherPair(
+  const std::array<std::size_t, 4>& corners, const std::array<std::size_t, 2>& faces)
+{
+  this->Slack.Clear();
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    this->Slack.AddFace(
+      this->Vertices[corners[i + 1]].Position, this->Vertices[corners[i + 2]].Position);
+  }
+  for (const std::size_t from : faces)
+  {
+    for (const SlackFit::Member& member : this->Faces[from].Members)
+    {
+      this->Slack.AddMember({ member.Sample, from == faces[0] ? 0U : 1U, member.Counts });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool PatchFit::FlipImproves(const Edge& edge)
+{
+  const Vertex& a = this->Vertices[edge.A];
+  const Vertex& c = this->Vertices[edge.C];
+  this->GatherPair({ edge.A, edge.D, edge.B, edge.C }, { edge.Right, edge.Left });
+  const SlackFit::Value now = this->Slack.EvaluatePair(a.Position, a.Hint, Infinity);
+  if (!(now.Largest > RatioToFlip))
+  {
+    return false;
+  }
+  const double enough = PartAfterFlip * now.Error;
+  this->GatherPair({ edge.C, edge.A, edge.D, edge.B }, { edge.Left, edge.Right });
+  return this->Slack.EvaluatePair(c.Position, c.Hint, enough).Error < enough;
+}
+
+//------------------------------------------------------------------------------
+/// As HalfEdgeMesh::Flip: the left face a b c becomes d c a, the right one b a d becomes c d b.  The samples are as the last
+/// evaluation found them.
+void PatchFit::Flip(const Edge& edge)
+{
+  const auto find = [this](std::size_t vertex, std::size_t face)
+  {
+    std::vector<Corner>& fan = this->Vertices[vertex].Fan;
+    return std::find_if(
+      fan.begin(), fan.end(), [face](const Corner& corner) { return corner.Face == face; });
+  };
+  const auto join = [&](std::size_t vertex, std::size_t gone, const Corner& corner)
+  {
+    if (!this->Vertices[vertex].Fan.empty())
+    {
+      *find(vertex, corner.Face) = corner;
+      this->Vertices[vertex].Fan.erase(find(vertex, gone));
+    }
+  };
+  const auto cut = [&](
+                     std::size_t vertex, std::size_t old, const Corner& first, const Corner& second)
+  {
+    if (!this->Vertices[vertex].Fan.empty())
+    {
+      const auto at = find(vertex, old);
+      *at = second;
+      this->Vertices[vertex].Fan.insert(at, first);
+    }
+  };
+  join(edge.A, edge.Right, { edge.Left, edge.D, edge.C });
+  join(edge.B, edge.Left, { edge.Right, edge.C, edge.D });
+  cut(edge.C, edge.Left, { edge.Left, edge.A, edge.D }, { edge.Right, edge.D, edge.B });
+  cut(edge.D, edge.Right, { edge.Right, edge.B, edge.C }, { edge.Left, edge.C, edge.A });
+  this->Faces[edge.Left].Members.clear();
+  this->Faces[edge.Right].Members.clear();
+  for (const SlackFit::Member& member : this->Slack.Members())
+  {
+    this->Faces[member.Slot == 0 ? edge.Left : edge.Right].Members.push_back(member);
+  }
+  this->Flips.push_back(
+    { VertexId(this->Vertices[edge.A].Id), VertexId(this->Vertices[edge.B].Id) });
+}
+
+//------------------------------------------------------------------------------
+/// The edges of the vertex whose other diagonal is better.
+void PatchFit::FlipAround(std::size_t vertex)
+{
+  for (std::size_t slot = 0; slot < this->Vertices[vertex].Fan.size(); ++slot)
+  {
+    const Edge edge = this->EdgeAt(vertex, slot);
+    if (this->FlipIsAllowed(edge) && this->FlipImproves(edge))
+    {
+      this->Flip(edge);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Infinite if the rules do not allow a face.
 double PatchFit::LargestRatio()
 {
   double largest = 0.0;
   for (const Vertex& vertex : this->Vertices)
   {
-    largest = std::max(largest,
-      this->Evaluate(vertex, vertex.Position, std::numeric_limits<double>::infinity()).Largest);
+    if (this->NumberOfBadFaces(vertex) > 0)
+    {
+      return Infinity;
+    }
+    largest = vertex.Fan.empty()
+      ? largest
+      : std::max(largest, this->Evaluate(vertex, vertex.Position, Infinity).Largest);
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+/// Moves every vertex and flips edges at those where that does not suffice.  @return The largest ratio.
+double PatchFit::Sweep()
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+  {
+    const double ratio = this->Vertices[i].Fan.empty() ? 0.0 : this->Improve(this->Vertices[i]);
+    if (ratio > RatioToFlip)
+    {
+      this->FlipAround(i);
+    }
+    largest = std::max(largest, ratio);
   }
   return largest;
 }
@@ -185,14 +377,10 @@ double PatchFit::LargestRatio()
 //------------------------------------------------------------------------------
 bool PatchFit::SweepUntilWithin()
 {
-  double before = std::numeric_limits<double>::infinity();
+  double before = Infinity;
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
   {
-    double largest = 0.0;
-    for (Vertex& vertex : this->Vertices)
-    {
-      largest = std::max(largest, this->Improve(vertex));
-    }
+    const double largest = this->Sweep();
     if (largest <= Within && this->LargestRatio() <= Within)
     {
       return true;
@@ -215,13 +403,14 @@ PatchFit::Result PatchFit::Found(const EdgeNeighborhood& around) const
   Result result;
   result.IsWithin = true;
   result.Position = this->Vertices[0].Position;
+  result.Nearby.Flips = this->Flips;
   result.Hints.push_back({ this->Vertices[0].Id, this->Vertices[0].Hint });
   for (std::size_t i = 1; i < this->Vertices.size(); ++i)
   {
     const Vertex& vertex = this->Vertices[i];
     if (vertex.HasMoved)
     {
-      result.Moves.push_back({ vertex.Id, vertex.Position });
+      result.Nearby.Moves.push_back({ vertex.Id, vertex.Position });
       result.Hints.push_back({ vertex.Id, vertex.Hint });
     }
   }

@@ -31,8 +31,9 @@ public:
   void BeginPatch(const HalfEdgeMesh& mesh);
   void EndPatch(const HalfEdgeMesh& mesh);
 
-  /// Of the last collapse that was settled: vertices that move with it.
-  void AddMoves(const std::vector<VertexMove>& moves);
+  /// Of the last collapse that was settled: vertices that move with it, and faces that are not those that it leaves.
+  void AddNearby(
+    const std::vector<VertexMove>& moves, const std::vector<SurfaceChange::Face>& faces);
 
   /// Positions are in mm from the local origin.
   EditLog Take() { return std::move(this->Log); }

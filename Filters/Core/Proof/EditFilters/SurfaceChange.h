@@ -50,9 +50,8 @@ struct SurfaceChange
   void FillCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
   /// The same edge in one more manifold patch: all of them end at one original vertex.
   void AddCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
-  /// The same edge, and vertices near it that move: all inside, none of them an end of the edge.
-  void FillCollapseAndMoves(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around,
-    const Edit& edit, const std::vector<VertexMove>& moves);
+  /// Those of the old faces that are left, as the edit made them.
+  void TakeNewFaces(const HalfEdgeMesh& after);
   void FillMove(const HalfEdgeMesh& mesh, const Edit& edit);
   /// The mesh must turn the edge as HalfEdgeMesh::Flip says.
   void FillFlip(const HalfEdgeMesh& mesh, const Edit& edit);
