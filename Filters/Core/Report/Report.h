@@ -45,13 +45,18 @@ enum class InputStatus : int
   BadReference,          ///< It has no triangle, or would be rejected as an input.
   FarFromReference,      ///< The input is farther from it than the largest error.
   EverythingPruned,      ///< No component reaches the requested size.
-  SinglePrecisionTooCoarse, ///< Rounding moves points farther than the error or tolerances allow, or onto other points.
-  ErrorBeyondSize, ///< The largest error is more than a quarter of the diagonal, and AllowLargeError is off.
-  ErrorBelowSize, ///< The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
-  BadLabelMap, ///< A grid that is not valid, labels that are not one pair for each triangle, or a surface far from the grid.
+  /// Rounding moves points farther than the error or tolerances allow, or onto other points.
+  SinglePrecisionTooCoarse,
+  /// The largest error is more than a quarter of the diagonal, and AllowLargeError is off.
+  ErrorBeyondSize,
+  /// The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
+  ErrorBelowSize,
+  /// The grid is not valid, labels are not one pair per triangle, or the surface is far from it.
+  BadLabelMap,
   NoVoxelGrid, ///< KeepVoxels is On and no grid is known.
-  OptionConflict, ///< An option that does not go with another one or with an input; Report::Conflict.
-  InvalidOption   ///< A value is outside of the range of its option.
+  /// An option that does not go with another one or with an input; Report::Conflict.
+  OptionConflict,
+  InvalidOption ///< A value is outside of the range of its option.
 };
 
 /// Why the collapse ended.
@@ -63,7 +68,8 @@ enum class StopReason : int
   AlreadySatisfied, ///< The input already had no more triangles than requested.
   NothingLeft,      ///< No further collapse is allowed.
   Aborted,          ///< By the monitor.
-  Handles ///< The number of triangles is out of reach: most collapses that are left would close a handle.
+  /// The number of triangles is out of reach: most collapses that are left would close a handle.
+  Handles
 };
 
 struct SurfaceStatistics
@@ -124,7 +130,7 @@ struct DistanceStatistics
   double SamplesPerSquareMillimeter = 0.0;
 };
 
-/// Proved bounds of the largest distance from one surface to the other, or from boundaries to boundaries, mm.
+/// Proved bounds of the largest distance from one surface or boundary to the other, mm.
 struct ProvedDistance
 {
   double Lower = 0.0;
@@ -135,7 +141,7 @@ struct ProvedDistance
 struct ErrorProof
 {
   bool WasMade = false;   ///< If false, all other members are meaningless.
-  ProofStatus Status{};   ///< Of everything that was compared.
+  ProofStatus Status{};   ///< For everything that was compared.
   double Tolerance = 0.0; ///< mm, the error to prove for all points; 0: none.
   ProvedDistance InputToOutput;
   ProvedDistance OutputToInput;
@@ -203,7 +209,8 @@ struct SmoothingFigures
     NotRequested = 0,
     LabelMap, ///< A label map, named with the surface.
     Binary,   ///< Its points are the middles of grid edges: the surface of a binary segmentation.
-    GrayLevel, ///< Its points lie on the edges of a grid, interpolated: left alone by the automatic smoothing.
+    /// Its points lie on the edges of a grid, interpolated: left alone by the automatic smoothing.
+    GrayLevel,
     Unknown ///< No grid was found.
   };
   Source From = Source::NotRequested; ///< If NotRequested, all other members are meaningless.
@@ -221,7 +228,7 @@ struct SmoothingFigures
   std::int64_t SharpPoints = 0; ///< On edges that were kept because of FeatureAngle.
   std::int64_t LimitedPoints =
     0; ///< Whose bound was lowered, because triangles would intersect or turn over.
-  std::int64_t Rounds = 0; ///< Of lowering bounds.
+  std::int64_t Rounds = 0; ///< Rounds of lowering bounds.
 
   bool HasRun() const { return this->Bound > 0.0; }
 };
@@ -265,7 +272,7 @@ struct VoxelReport
   bool WereGuarded = false; ///< Whether edits that change one were rejected.
   bool WasChecked = false;  ///< If false, what follows is meaningless.
   VoxelChanges Changes;
-  std::vector<std::int64_t> Values; ///< Of the labels, by index; the background is the last.
+  std::vector<std::int64_t> Values; ///< Labels by index; the background is the last.
 };
 
 /// What came of drafting the first collapses of a proved run.
@@ -283,7 +290,7 @@ struct DraftFigures
 {
   DraftStatus Status = DraftStatus::NoBound;
   std::int64_t Collapses = 0; ///< That were drafted.
-  std::int64_t Undone = 0;    ///< Of them.
+  std::int64_t Undone = 0;    ///< Drafted collapses that were undone.
 };
 
 /// Whether a run read only the regions that may change, and their surroundings.
@@ -293,14 +300,15 @@ enum class RegionStatus : int
   Used,
   OtherOptions, ///< Not possible with another option or input: the whole surface was read.
   TooLarge,     ///< Regions and surroundings are more than half of the surface.
-  NotProved ///< The result of a region could not be joined to the rest or proved; the whole surface was run.
+  /// The result of a region could not be joined to the rest or proved; the whole surface was run.
+  NotProved
 };
 
 struct RegionFigures
 {
   RegionStatus Status = RegionStatus::NotRequested;
   std::int64_t Count = 0;     ///< Regions.
-  std::int64_t Triangles = 0; ///< Of them and their surroundings.
+  std::int64_t Triangles = 0; ///< In the regions and their surroundings.
   std::int64_t Kept = 0;      ///< Regions whose results were kept from earlier runs.
 };
 
@@ -308,7 +316,7 @@ struct RegionFigures
 struct ForcedCollapseFigures
 {
   std::int64_t Tried = 0; ///< On a copy of their neighborhood.
-  std::int64_t Made = 0;  ///< Of them: proved and applied.
+  std::int64_t Made = 0;  ///< Proved and applied.
 };
 
 struct StageSeconds
@@ -328,7 +336,7 @@ struct Report
   SurfaceStatistics Input; ///< After cleaning.
   SurfaceStatistics Output;
   CleaningStatistics Cleaning;
-  std::vector<Diagnostic> Diagnostics; ///< Of the whole input, if requested.
+  std::vector<Diagnostic> Diagnostics; ///< Irregularities of the whole input, if requested.
   PruneFigures Pruned;
   TunnelFigures Tunnels; ///< If any were closed, everything else refers to the closed surface.
   bool DistancesMeasured = false;
@@ -348,12 +356,13 @@ struct Report
   /// What of the input, or of the reference, the proof does not cover.
   std::vector<bonedecimate::LeftOut> LeftOut;
   VoxelFigures Voxel;
-  VoxelReport Voxels; ///< Of an input with a voxel grid.
+  VoxelReport Voxels; ///< For an input with a voxel grid.
   SizeFigures Size;
   SmoothingFigures Smoothing;
-  PartComparison Parts; ///< Of a surface that was smoothed as a whole: input and result.
-  /// mm, maxError of the thesis: the largest distance of a new vertex to the input, after each collapse in mode Thesis and
-  /// at the end in other modes. NaN if not measured (other modes without MeasureDistances and origins); tables omit it then.
+  PartComparison Parts; ///< Input and result of a surface that was smoothed as a whole.
+  /// mm, maxError of the thesis: the largest distance of a new vertex to the input, after each
+  /// collapse in mode Thesis and at the end in other modes. NaN if not measured (other modes
+  /// without MeasureDistances and origins); tables omit it then.
   double RunningError = 0.0;
   double NormalTolerance = 0.0; ///< The tolerance w of the thesis; only in mode Thesis.
   std::int64_t Collapses = 0;
@@ -366,7 +375,7 @@ struct Report
   ForcedCollapseFigures Forced; ///< Only in modes that make them, with an error bound.
   StageSeconds Seconds;
   std::uint64_t InputChecksum = 0;  ///< Mesh/Checksum.h.
-  std::uint64_t OutputChecksum = 0; ///< Of its triangles, in any order; Mesh/Checksum.h.
+  std::uint64_t OutputChecksum = 0; ///< Independent of the order of triangles; Mesh/Checksum.h.
   Options Requested;
   bool HasTolerances = false; ///< Whether there were tolerances of points.
 };
