@@ -87,7 +87,7 @@ std::vector<Index> NonManifoldPoints(const HalfEdgeMesh& mesh, const CleanSurfac
   return points;
 }
 
-/// Of these points, those that no feature curve passes: inner vertices of a curve can be removed.
+/// The points that no feature curve passes: inner vertices of a curve can be removed.
 std::vector<Index> WithoutCurves(
   const std::vector<Index>& points, const HalfEdgeMesh& mesh, const CleanSurface& cleaned)
 {
