@@ -24,8 +24,8 @@ ShapeStatistics DescribeShapes(const Surface& surface, int threads);
 /// Adds the triangles of another surface.
 void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum);
 
-/// What the edits of a run keep. The least angle is a little larger than requested: the output may round positions. An edge length needs
-/// one, too: slivers have edges of any length.
+/// What the edits of a run keep. The least angle is a little larger than requested: the output may
+/// round positions. An edge length needs one, too: slivers have edges of any length.
 /// @param local Lengths of edges where they are less than EdgeLength; null: nowhere.
 ShapeLimits ShapeLimitsOf(
   const Options& options, std::shared_ptr<const SizingField> local = nullptr);
