@@ -7,8 +7,8 @@
  *
  * Sample i of n lies in the triangle at which the cumulative area reaches (i + 1/2) / n of
  * the whole; its position in the triangle follows the R2 sequence. The same surfaces give
- * the same figures on every system. M. Roberts, The unreasonable effectiveness of
- * quasirandom sequences, 2018: R2.
+ * the same figures on every system.
+ * M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018: R2.
  */
 #ifndef BoneDecimate_Core_Measure_SurfaceDistance_h
 #define BoneDecimate_Core_Measure_SurfaceDistance_h

@@ -16,9 +16,8 @@
  * The exclusive or of the signatures along a closed loop is 0 if the loop divides the surface, and
  * otherwise not, up to 2^-64: the dual loops are a basis of the homology with coefficients 0 and 1.
  *
- * D. Eppstein, Dynamic generators of topologically embedded graphs, 2003: tree and
- * cotree. J. Erickson, K. Whittlesey, Greedy optimal homotopy and homology
- * generators, 2005: short loops from them.
+ * D. Eppstein, Dynamic generators of topologically embedded graphs, 2003: tree and cotree.
+ * J. Erickson, K. Whittlesey, Greedy optimal homotopy and homology generators, 2005: short loops.
  */
 #ifndef BoneDecimate_Core_Tunnels_EdgeGraph_h
 #define BoneDecimate_Core_Tunnels_EdgeGraph_h
