@@ -3,8 +3,7 @@
 /**
  * @file JournalEntry.h
  * @brief A collapse in the journal (EditJournal.h). A draft has a collapse for every second
- * triangle of its input, and ten face
- *        versions for each: these records are most of its memory.
+ * triangle of its input, and ten face versions for each: these records are most of its memory.
  */
 #ifndef BoneDecimate_Core_EditFilters_JournalEntry_h
 #define BoneDecimate_Core_EditFilters_JournalEntry_h

@@ -102,8 +102,8 @@ struct VoxelGrid
   {
     return this->Spacing[2] * (this->StepsOf(layer + 1.0) - this->StepsOf(layer));
   }
-  /// mm along the third axis: a voxel ends in the middle between its layer and the next. @param
-  /// end The layer after the last one.
+  /// mm along the third axis: a voxel ends in the middle between its layer and the next.
+  /// @param end The layer after the last one.
   double ThicknessOf(Index first, Index end) const
   {
     return this->HasLayers()

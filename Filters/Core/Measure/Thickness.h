@@ -37,8 +37,8 @@ struct ThicknessChange
   ThicknessFigures Before, After;
 };
 
-/// @param triangles Of the result: the surface of the part, normals out of it.  @param
-/// solid The part, as in the sides.
+/// @param triangles Of the result: the surface of the part, normals out of it.
+/// @param solid The part, as in the sides.
 ThicknessChange CompareThickness(const SolidSurface& before, const SolidSurface& after,
   const std::vector<Triangle>& triangles, Index solid, std::size_t samples, int threads);
 }

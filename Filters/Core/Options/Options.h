@@ -70,8 +70,8 @@ struct Options
     return FindMode(this->Mode).LimitsShapes() ? this->EdgeLength : 0.0;
   }
 
-  /// Whether points are written in single precision.  @param inputIsSingle
-  /// Precision of the input's points.
+  /// Whether points are written in single precision.
+  /// @param inputIsSingle Precision of the input's points.
   bool WritesSingle(bool inputIsSingle) const
   {
     return this->OutputPointsPrecision == PointsPrecision::Single ||

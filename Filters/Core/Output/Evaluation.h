@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Evaluation.h
- * @brief Evaluates the result of a run for the report: statistics of both surfaces, and
- * the distances between them or to
- *        the reference, if there is one.
+ * @brief Evaluates the result of a run for the report: statistics of both surfaces, and the
+ * distances between them or to the reference, if there is one.
  *
  *     Describe(input), Describe(result)      counts, area, volume
  *     PartComparer                           the same of each component or label, if

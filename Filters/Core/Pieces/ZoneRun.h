@@ -50,8 +50,8 @@ struct ZoneResult
   ProofStatus Proof{};
 };
 
-/// @param options With the largest error and without targets.  @param source
-/// Grid and labels; null: not known.
+/// @param options With the largest error and without targets.
+/// @param source Grid and labels; null: not known.
 ZoneResult DecimateZone(const ZoneInput& input, const Options& options,
   const LabelMapSource* source, bool inputIsSingle, const Monitor& monitor);
 }

@@ -19,8 +19,8 @@ namespace bonedecimate
 {
 /// Fills in the proof in the report of the part's result and the bounds at
 /// points. After an abort there is none.
-/// @param part Its unchanged triangles are matched.  @param hasBoundaries
-/// Whether the whole surface has.
+/// @param part Its unchanged triangles are matched.
+/// @param hasBoundaries Whether the whole surface has.
 void ProvePart(
   const Options& options, bool hasBoundaries, const Monitor& monitor, RegionPart& part);
 }
