@@ -71,9 +71,8 @@ struct LabelSurfaces
 };
 
 /**
- * @param image A direction that is orthogonal but for rounding (up to 1e-3) is replaced by
- * the nearest orthogonal one; the
- *        grid of the result tells it. Others are sheared grids and stay as they are.
+ * @param image A direction that is orthogonal but for rounding (up to 1e-3) is replaced by the
+ * nearest orthogonal one; the grid of the result tells it. Others are sheared grids and stay as they are.
  * @throws std::bad_alloc and nothing else.
  */
 LabelSurfaces ExtractLabelSurfaces(

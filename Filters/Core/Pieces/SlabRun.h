@@ -80,9 +80,8 @@ struct SlabFigures
 class SlabRun
 {
 public:
-  /// @param options MaximumError must be set, in a mode that proves errors; smoothing,
-  /// pruning, numbers of triangles and
-  ///        ErrorPreset without VoxelSize are rejected.
+  /// @param options MaximumError must be set, in a mode that proves errors; smoothing, pruning,
+  /// numbers of triangles and ErrorPreset without VoxelSize are rejected.
   SlabRun(const Options& options, const SlabAxis& axis, const SlabInputs& inputs = {});
   ~SlabRun();
   SlabRun(const SlabRun&) = delete;
