@@ -15,7 +15,8 @@
 
 namespace bonedecimate
 {
-/// Of the triangles of a surface, by the definitions of vtkMeshQuality; not a number if no triangle has an area.
+/// Shapes of the triangles of a surface as vtkMeshQuality defines them; not a
+/// number if no triangle has an area.
 struct ShapeStatistics
 {
   double SmallestAngle = std::numeric_limits<double>::quiet_NaN();   ///< degrees
@@ -24,7 +25,8 @@ struct ShapeStatistics
   double LargestRadiusRatio = std::numeric_limits<double>::quiet_NaN();
   double MeanAspectRatio = std::numeric_limits<double>::quiet_NaN(); ///< 1 is equilateral.
   double LargestAspectRatio = std::numeric_limits<double>::quiet_NaN();
-  /// How many triangles have a smallest angle below 10 degrees, from 10 to below 20, ... from 50 on.
+  /// How many triangles have a smallest angle below 10 degrees, from
+  /// 10 to below 20, ... from 50 on.
   std::array<std::int64_t, 6> SmallestAngles{};
 };
 

@@ -14,9 +14,11 @@ namespace bonedecimate
 namespace
 {
 constexpr Index Width = 4; // children of a node
-/// Boxes are enlarged by this fraction of the whole and of the coordinate: four times the rounding of single precision.
+/// Boxes are enlarged by this fraction of the whole and of the coordinate: four times
+/// the rounding of single precision.
 constexpr double Growth = 1.0 / (1 << 22);
-/// Coordinates are clamped to this, in lengths of the whole, so that squares stay finite; all boxes are equally far then.
+/// Coordinates are clamped to this, in lengths of the whole, so that squares stay finite;
+/// all boxes are equally far then.
 constexpr double Far = 1e12;
 constexpr double LeastLength = 1e-290; // mm; the scale of a smaller surface would overflow
 
@@ -324,7 +326,8 @@ void BoundingTree::SetUnit(const Surface& surface)
 }
 
 //------------------------------------------------------------------------------
-/// Converts mm to a unit in which all triangles lie between 0 and 1, rounded safely down (side -1) or up (side 1).
+/// Converts mm to a unit in which all triangles lie between 0 and 1, rounded safely
+/// down (side -1) or up (side 1).
 float BoundingTree::ToUnit(double coordinate, Eigen::Index axis, double side) const
 {
   const double unit = std::clamp((coordinate - this->Low[axis]) * this->Scale, -Far, Far);

@@ -9,9 +9,11 @@ namespace bonedecimate
 {
 namespace
 {
-/// A child has little more than a quarter of the triangles of its parent, so 2^31 triangles need 17 levels.
+/// A child has little more than a quarter of the triangles of its parent, so
+/// 2^31 triangles need 17 levels.
 constexpr std::size_t LargestStack = 128;
-/// A distance or squared distance to a box in single precision is too large by less than this factor.
+/// A distance or squared distance to a box in single precision is too
+/// large by less than this factor.
 constexpr double Slack = 1.0 + 1e-5;
 constexpr double LargestSquare = 1e38;
 
@@ -21,8 +23,8 @@ struct QueryPoint
   std::array<float, 3> Low, High; // bounds of its coordinates
 };
 
-/// Squared distances to four boxes. Uses x + |x|, twice the maximum of x and 0, because gcc 12 does not vectorize maxima;
-/// at most one of the distances below and above a box is positive.
+/// Squared distances to four boxes. Uses x + |x|, twice the maximum of x and 0, because gcc 12 does
+/// not vectorize maxima; at most one of the distances below and above a box is positive.
 template <typename Boxes>
 std::array<float, 4> SquaredDistances(const QueryPoint& query, const Boxes& boxes)
 {

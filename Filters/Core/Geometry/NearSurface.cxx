@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the distance: smaller pieces of a triangle are not cut.
+/// Pieces of a triangle below this fraction of the distance are not cut.
 constexpr double LeastRadius = 0.25;
 /// Rounding in the search.
 constexpr double SlackOfReach = 1.0 + 1e-9;

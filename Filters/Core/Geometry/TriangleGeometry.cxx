@@ -10,7 +10,8 @@ namespace
 {
 using Corners = std::array<const Vector3*, 3>;
 
-/// The normal of a triangle narrower than 1e-12 of its length is rounding error: its edges are accurate enough.
+/// The normal of a triangle narrower than 1e-12 of its length is rounding error:
+/// its edges are accurate enough.
 constexpr double LeastSquaredSine = 1e-24;
 
 PointOnTriangle PointAt(

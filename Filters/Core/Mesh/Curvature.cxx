@@ -27,7 +27,7 @@ Vector3 AreaVectorOf(const HalfEdgeMesh& mesh, FaceId face) // mm^2
   return AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]));
 }
 
-/// Of an edge of two faces.
+/// The tensor of an edge of two faces.
 Eigen::Matrix3d TensorOf(const HalfEdgeMesh& mesh, HalfEdgeId h)
 {
   const Vector3 edge = mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h));
@@ -43,7 +43,7 @@ Eigen::Matrix3d TensorOf(const HalfEdgeMesh& mesh, HalfEdgeId h)
   return sign * angle / length * edge * edge.transpose();
 }
 
-/// Of each vertex: half of each edge, a third of each face.
+/// Each vertex gets half of each edge and a third of each face.
 std::vector<Curving> CurvingOfVertices(const HalfEdgeMesh& mesh)
 {
   std::vector<Curving> curving(static_cast<std::size_t>(mesh.NumberOfVertexSlots()));

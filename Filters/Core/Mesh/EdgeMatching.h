@@ -6,13 +6,14 @@
  *
  * Half-edge 4 f + k runs from corner k of triangle f to the next corner; 4 f + 3 does not exist.
  *
- *     sort the half-edges by their origin               counting sort, about six at each point
- *     for each point:                                   each of its triangles has an outgoing and an incoming half-edge
- *       to each neighbor one of each: twins               found in one step by marks
- *       otherwise, for each of its edges:                 one half-edge: boundary; one each way: twins; else odd
- *     for each point: walk from twin to twin            visits all its triangles: one fan
+ *     sort the half-edges by origin           counting sort, about six at each point
+ *     for each point:                         each triangle has one outgoing and one incoming
+ *       to each neighbor one of each: twins     found in one step by marks
+ *       otherwise, for each of its edges:       one: boundary; one each way: twins; else odd
+ *     for each point: walk from twin to twin  visits all its triangles: one fan
  *
- * Work is divided into blocks of points and of triangles; the result does not depend on the number of threads.
+ * Work is divided into blocks of points and of triangles; the result does not
+ * depend on the number of threads.
  */
 #ifndef BoneDecimate_Core_Mesh_EdgeMatching_h
 #define BoneDecimate_Core_Mesh_EdgeMatching_h
@@ -31,8 +32,8 @@ constexpr Index OddEdge = -2;
 struct EdgeCounts
 {
   std::int64_t Edges = 0;
-  std::int64_t Boundary = 0;    ///< Of exactly one triangle.
-  std::int64_t NonManifold = 0; ///< Of three or more triangles.
+  std::int64_t Boundary = 0;    ///< Edges of exactly one triangle.
+  std::int64_t NonManifold = 0; ///< Edges of three or more triangles.
   std::int64_t HalfPairs = 0;   ///< Number of half-edges with a twin; fewer after CutBetween.
 
   EdgeCounts& operator+=(const EdgeCounts& other)
@@ -48,7 +49,8 @@ struct EdgeCounts
 /// The triangles around each point.
 struct Rings
 {
-  /// For each point the half-edge at which its ring starts: the greatest without a twin, else the least. None if unused.
+  /// For each point the half-edge at which its ring starts: the greatest without a twin,
+  /// else the least. None if unused.
   LargeArray<Index> Outgoing;
   /// For each point: NonManifold if one of its edges is odd or its triangles are not one fan.
   LargeArray<VertexConstraint> Constraints;

@@ -78,7 +78,8 @@ bool EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 }
 
 //------------------------------------------------------------------------------
-/// Of its faces at most two are removed, and one is added at least if it has a closed ring.
+/// Whether an edit could change too many faces at the vertex. A collapse removes at most two of
+/// them and adds at least one if it has a closed ring.
 bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex)
 {
   Index faces = 0;

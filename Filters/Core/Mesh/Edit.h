@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Edit.h
- * @brief A proposed change of the mesh: an edge collapse, an edge flip, a vertex move, or an edge split.
+ * @brief A proposed change of the mesh: an edge collapse, an edge flip, a
+ * vertex move, or an edge split.
  */
 #ifndef BoneDecimate_Core_Mesh_Edit_h
 #define BoneDecimate_Core_Mesh_Edit_h
@@ -14,8 +15,9 @@
 
 namespace bonedecimate
 {
-/// Faces at the vertex that a collapse merges or a move moves, at most. Vertices with more wait until collapses around them have
-/// removed some, so that no edit costs more the more faces a vertex has.
+/// Faces at the vertex that a collapse merges or a move moves, at most. Vertices with
+/// more wait until collapses around them have removed some, so that no edit costs
+/// more the more faces a vertex has.
 constexpr Index MostFacesOfEdit = 128;
 
 enum class EditKind : std::uint8_t
@@ -31,11 +33,10 @@ struct Edit
   HalfEdgeId Edge; ///< The half-edge to collapse, flip or split.
   VertexId Keep;   ///< The end whose id is kept, or the vertex that moves or is made.
   Vector3 Position =
-    Vector3::Zero();      ///< Of the merged, moved or new vertex, mm from the local origin.
+    Vector3::Zero();      ///< Where the merged, moved or new vertex is, mm from the local origin.
   bool KeepStays = false; ///< Whether Position is that of Keep, bit for bit.
   EditKind Kind = EditKind::Collapse;
-  std::array<FaceId, 2>
-    Made = {}; ///< Of a split: the faces that it makes; the second None on a boundary.
+  std::array<FaceId, 2> Made = {}; ///< The faces that a split makes; the second None on a boundary.
 };
 
 /// The edge between two vertices, which is flipped together with an edit.

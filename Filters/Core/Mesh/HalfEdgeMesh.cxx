@@ -17,7 +17,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the word with the area and z of a face's original normal: the upper half of a positive float, so never None.
+/// The bits of the area in the word that also has z of a face's original normal: the upper half of
+/// a positive float, so never None.
 constexpr std::uint32_t AreaBits = 0xFFFF0000U;
 
 /// Mean length of one edge of each triangle, mm.
@@ -272,7 +273,8 @@ void HalfEdgeMesh::Split(const Edit& edit)
 }
 
 //------------------------------------------------------------------------------
-/// Removes the face of h and merges its other two edges. The first normal stays, for an edit that is undone.
+/// Removes the face of h and merges its other two edges. The first normal
+/// stays, for an edit that is undone.
 void HalfEdgeMesh::RemoveFace(HalfEdgeId h)
 {
   const HalfEdgeId alongNext = this->Twin(Next(h));

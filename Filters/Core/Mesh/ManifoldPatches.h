@@ -6,12 +6,14 @@
  *
  *     odd edge:  an edge of three or more triangles, of inconsistent orientation, or between labels
  *     each end of an odd edge, and each point where several fans meet:
- *         every fan of triangles gets a duplicate of the point; all duplicates refer to one original vertex and are stationary
+ *         every fan of triangles gets a duplicate of the point; all duplicates refer to one
+ *           original vertex and are stationary
  *
  * Duplicates are never moved or removed, so patches are joined by replacing each duplicate by its original vertex.
  * Decimate/Edit/PatchRules.h prevents two patches from getting further edges in common.
  *
- * A. Gueziec, G. Taubin, F. Lazarus, B. Horn, Cutting and stitching: converting sets of polygons to manifold surfaces, 2001.
+ * A. Gueziec, G. Taubin, F. Lazarus, B. Horn, Cutting and stitching: converting sets of
+ * polygons to manifold surfaces, 2001.
  */
 #ifndef BoneDecimate_Core_Mesh_ManifoldPatches_h
 #define BoneDecimate_Core_Mesh_ManifoldPatches_h

@@ -29,9 +29,11 @@ struct ShapeLimits
   /// mm, that an edge with these ends is to have: the smaller one of those at its ends.
   double LengthOf(const Vector3& a, const Vector3& b) const;
 
-  /// Of the length: longer edges are split. The halves of a longer one differ less from the length than itself.
+  /// Edges longer than this multiple of the length are split. The halves of such an edge differ
+  /// less from the length than itself.
   static constexpr double Longest = 4.0 / 3.0;
-  /// Of the length: shorter edges are collapsed. Both are those of Botsch and Kobbelt (EdgeSizer.h).
+  /// Edges shorter than this fraction of the length are collapsed. Both are those of
+  /// Botsch and Kobbelt (EdgeSizer.h).
   static constexpr double Shortest = 0.8;
 
   /// mm; no longer edge may stay anywhere.

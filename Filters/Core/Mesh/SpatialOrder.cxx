@@ -13,8 +13,8 @@ namespace bonedecimate
 namespace
 {
 constexpr int BitsOfAxis = 21;
-/// Slightly less than 2^21 and no simple fraction of it, so that points in regular rows seldom lie on the boundary of two
-/// cells, where another unit of length would round them to the other side.
+/// Slightly less than 2^21 and no simple fraction of it, so that points in regular rows seldom lie
+/// on the boundary of two cells, where another unit of length would round them to the other side.
 constexpr double CellsAcross = 2038437.618033988;
 constexpr double LeastLength =
   1e-290; // mm; the number of cells per mm would overflow for smaller boxes
@@ -93,7 +93,8 @@ private:
   double Scale = 1.0; // cells per mm
 };
 
-/// Entries with the first 33 bits of the position on the curve and the index of the point, sorted by three digits.
+/// Entries with the first 33 bits of the position on the curve and the index of the
+/// point, sorted by three digits.
 using CurveEntry = std::uint64_t;
 
 Index PointOf(CurveEntry entry)
@@ -166,7 +167,8 @@ void SortTies(const Curve& curve, CurveEntry* entries, std::size_t count)
   }
 }
 
-/// For each new index the old one; triangles are sorted by the new indices of their corners from the least on.
+/// For each new index the old one; triangles are sorted by the new indices of
+/// their corners from the least on.
 std::vector<Index> OrderByLeastPoint(
   const std::vector<Triangle>& triangles, std::size_t numberOfPoints)
 {

@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the lambda along the long axes of thick slices.
+/// Upper limit of lambda along the long axes of thick slices.
 constexpr double LargestStrength = 100.0;
 
 double ConditionOf(const Vector3& strengths)

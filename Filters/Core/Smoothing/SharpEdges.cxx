@@ -17,7 +17,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the sum of the bends of two patches: what curvature alone explains is at most 1.5 times the sum.
+/// In sums of the bends of two patches: curvature alone explains at most 1.5.
 constexpr double MostOfBends = 2.0;
 
 /// Whether two triangles at an edge have their normals on the same side of the surface.
@@ -36,7 +36,8 @@ bool HaveEqualOrientation(const Triangle& one, const Triangle& other)
   return false;
 }
 
-/// Neighbors of each triangle over edges that may be sharp, if their orientations agree; ascending by edge.
+/// Neighbors of each triangle over edges that may be sharp, if their
+/// orientations agree; ascending by edge.
 class Neighbors
 {
 public:

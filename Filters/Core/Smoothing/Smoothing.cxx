@@ -16,7 +16,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the radius: what rounding to the precision of the output may add is left free.
+/// Fraction of the radius that is used: rounding to the precision of the output needs the rest.
 constexpr double RadiusOfSolver = 0.999;
 /// Radii are halved that often, then set to 0.
 constexpr int MostHalvings = 6;
@@ -27,7 +27,7 @@ constexpr double GraphAt = 0.15;
 constexpr double StrengthAt = 0.5;
 constexpr double SolvedOnceAt = 0.65;
 constexpr double SolvedAt = 0.8;
-/// Of the median length of the edges: about two voxels for marching cubes of a binary volume.
+/// In median edge lengths: about two voxels for marching cubes of a binary volume.
 constexpr double ScaleOfSharpEdges = 2.3;
 
 /// mm: the least limit of a point and of its neighbors, and the radius.

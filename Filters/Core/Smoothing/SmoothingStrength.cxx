@@ -132,7 +132,7 @@ struct Trial
   double LogRatio = 0.0;
 };
 
-/// Of the displacement as a power of lambda.
+/// The exponent of the displacement as a power of lambda.
 double ExponentOf(const std::vector<Trial>& trials)
 {
   if (trials.size() < 2)

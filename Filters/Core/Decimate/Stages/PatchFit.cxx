@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchFit.h"
 
-#include "Edit/FlipAndMoveRules.h"
+#include "Decimate/Edit/FlipAndMoveRules.h"
 
 #include <algorithm>
 #include <limits>

@@ -32,7 +32,8 @@ double DeviationFromOrthogonal(const Eigen::Matrix3d& matrix)
   return (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
 }
 
-/// Newton's iteration for the polar decomposition, of axes that are orthogonal but for rounding; others are those of a sheared grid.
+/// Newton's iteration for the polar decomposition, of axes that are orthogonal but for rounding;
+/// others are those of a sheared grid.
 Eigen::Matrix3d NearestDirection(Eigen::Matrix3d matrix)
 {
   if (!(DeviationFromOrthogonal(matrix) <= OrthogonalButForRounding))

@@ -44,7 +44,7 @@ SurfaceStatistics StatisticsOfResult(const WholeSurface& whole, const RegionPart
   return output;
 }
 
-/// Of what a surface without area or points has, 0.
+/// The mean; 0 for a surface without area or points.
 double Ratio(double sum, double of)
 {
   return of > 0.0 ? sum / of : 0.0;
@@ -108,7 +108,8 @@ void CombineMeasured(const RegionParts& parts, Report& report)
     report.Input.BoundaryEdges > 0 && report.Requested.MergePoints; // others are not compared
 }
 
-/// The largest bounds. Beyond the reach of a part there is more of the surface, so that a lower bound ends there.
+/// The largest bounds. Beyond the reach of a part there is more of the surface, so
+/// that a lower bound ends there.
 ProvedDistance LargestBounds(
   const RegionParts& parts, const std::function<ProvedDistance(const Report&)>& boundsOf)
 {
@@ -174,7 +175,8 @@ bool ArePartsValid(const WholeSurface& whole, const RegionParts& parts,
       {
         const ErrorProof& proof = part->Result.Report.Proof;
         const double surface = std::max(proof.InputToOutput.Upper, proof.OutputToInput.Upper);
-        // Where the part was cut it has boundaries that the surface lacks: none of them is near enough to count.
+        // Where the part was cut it has boundaries that the surface lacks: none
+        // of them is near enough to count.
         return proof.WasMade && proof.Status == ProofStatus::Proved &&
           proof.Upper() + surface < part->Covered.Reach;
       });

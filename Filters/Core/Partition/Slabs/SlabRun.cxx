@@ -23,9 +23,11 @@ namespace bonedecimate
 {
 namespace
 {
-/// Points so near to a plane, as a fraction of their largest coordinate, are in it: single precision is that coarse.
+/// Points so near to a plane, as a fraction of their largest coordinate, are in it:
+/// single precision is that coarse.
 constexpr double PlaneSlack = 1e-6;
-/// How far below its plane the next run goes on, in mean edges of the result (over its area) and in largest errors.
+/// How far below its plane the next run goes on, in mean edges of the result (over
+/// its area) and in largest errors.
 constexpr double EdgesOfZone = 3.0;
 constexpr double ErrorsOfZone = 2.0;
 /// Below the zone, where boundary edges are told from edges of a cut: less than ZoneMargin().
@@ -154,7 +156,7 @@ private:
       this->Fail(SlabStatus::BadSlab, "A slab does not have one pair of labels for each triangle.");
   }
 
-  /// Of each point, whether it is in the plane.
+  /// Whether each point is in the plane.
   std::vector<char> AreInPlane(const Surface& surface, double plane) const
   {
     std::vector<char> are;
@@ -221,7 +223,7 @@ private:
     return *lowest;
   }
 
-  /// Of each point, whether its component ends below the slab: earlier runs have finished it.
+  /// Whether the component of a point ends below the slab, so that earlier runs have finished it.
   std::vector<char> FarFromSlab(const Surface& surface) const
   {
     const Components found = FindComponents(surface);

@@ -18,7 +18,7 @@ namespace bonedecimate
 struct SurfacePiece
 {
   Surface Shape;                      ///< mm
-  std::vector<BoundaryLabels> Labels; ///< Of its triangles; empty: there is one label.
+  std::vector<BoundaryLabels> Labels; ///< Labels of its triangles; empty: there is one label.
 };
 
 /// Whether a part of the triangle may lie between the planes.

@@ -74,7 +74,8 @@ void EditJournal::Commit(
 }
 
 //------------------------------------------------------------------------------
-/// Edits of workers that were active at the same time have no face in common: one worker's after another's is a valid order.
+/// Edits of workers that were active at the same time have no face in common: one worker's
+/// after another's is a valid order.
 void EditJournal::Settle(Tally* tallies, std::size_t count)
 {
   for (Tally* tally = tallies; tally != tallies + count; ++tally)
@@ -135,7 +136,7 @@ FaceVersion EditJournal::NewFace(Index edit, Index i) const
 }
 
 //------------------------------------------------------------------------------
-/// Of one of its faces.
+/// The edit that made a face which the edit replaced.
 Index EditJournal::EditBefore(Index edit, FaceId face) const
 {
   Index i = 0;

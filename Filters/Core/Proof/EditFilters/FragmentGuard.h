@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FragmentGuard.h
- * @brief Keeps a quarter of the volume of every closed component, so that none is flattened or turned inside out.
+ * @brief Keeps a quarter of the volume of every closed component, so that none is
+ * flattened or turned inside out.
  *
- *     collapse:       rejected if the component, with what the worker has not settled yet, would lose too much
- *     flip, move:     allowed within the volume budget of the vertex, which needs no bookkeeping; beyond it as a collapse
+ *     collapse:       rejected if the component, with what the worker has not
+ *                     settled yet, would lose too much
+ *     flip, move:     allowed within the volume budget of the vertex, which needs no
+ *                     bookkeeping; beyond it as a collapse
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_FragmentGuard_h
 #define BoneDecimate_Core_Proof_EditFilters_FragmentGuard_h
@@ -39,17 +42,19 @@ public:
 
   Index ComponentOf(VertexId vertex) const { return this->OfVertex[vertex]; }
   bool IsClosed(Index component) const { return this->Volumes[component].IsClosed; }
-  /// mm^3, the volume before the first edit less that at the last DistributeBudget, both signed; 0 unless it is closed.
+  /// mm^3, the volume before the first edit less that at the last DistributeBudget, both
+  /// signed; 0 unless it is closed.
   double LostVolume(Index component) const
   {
     const Volume& volume = this->Volumes[component];
     return volume.IsClosed ? volume.AtFirst - volume.Now : 0.0;
   }
-  /// For each component whether it is closed and has less than the volume that it has to keep, measured afresh.
+  /// For each component whether it is closed and has less than the volume that
+  /// it has to keep, measured afresh.
   std::vector<char> FindTooSmall(const HalfEdgeMesh& mesh) const;
 
-  /// Measures all volumes and divides what closed components may still lose among their vertices, so that vertices may be
-  /// edited at the same time without the changes of other workers.
+  /// Measures all volumes and divides what closed components may still lose among their vertices,
+  /// so that vertices may be edited at the same time without the changes of other workers.
   void DistributeBudget(const HalfEdgeMesh& mesh);
 
 private:

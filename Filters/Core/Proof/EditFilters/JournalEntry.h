@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file JournalEntry.h
- * @brief A collapse in the journal (EditJournal.h). A draft has a collapse for every second triangle of its input, and ten face
- *        versions for each: these records are most of its memory.
+ * @brief A collapse in the journal (EditJournal.h). A draft has a collapse for every second
+ * triangle of its input, and ten face versions for each: these records are most of its memory.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_JournalEntry_h
 #define BoneDecimate_Core_Proof_EditFilters_JournalEntry_h
@@ -20,7 +20,7 @@ struct FaceVersion
 {
   FaceId Face;
   Index Made = None; ///< The edit that made it; None: it was there before the first.
-  /// Of its corners, for EditJournal::VertexAt and PointAt.
+  /// Position ids of its corners, for EditJournal::VertexAt and PointAt.
   std::array<Index, 3> Positions;
 };
 
@@ -28,18 +28,19 @@ struct JournalEntry
 {
   VertexId Keep, Gone;
   Vector3 NewPosition = Vector3::Zero();     ///< mm, of Keep.
-  std::array<std::array<Index, 3>, 2> Twins; ///< Of the removed faces.
+  std::array<std::array<Index, 3>, 2> Twins; ///< Twins of the removed faces.
   std::array<HalfEdgeId, 4>
     Outgoing;          ///< Before the edit, of Keep, Gone and the apexes of the removed faces.
   Index Before = None; ///< The edit before this one that merged into Keep.
-  Index FirstFace = 0; ///< Of the versions that it replaced, removed faces first.
+  Index FirstFace = 0; ///< The first of the versions that it replaced, removed faces first.
   std::uint16_t NumberOfFaces = 0;
   bool IsUndone = false;
 
   static constexpr Index NumberOfGoneFaces = 2;
 };
 
-/// What a worker has recorded since it was settled last; the faces of one entry after those of another.
+/// What a worker has recorded since it was settled last; the faces of
+/// one entry after those of another.
 struct JournalPart
 {
   struct Face

@@ -4,8 +4,8 @@
  * @file Thickness.h
  * @brief The thickness of a part before and after, along the same directions.
  *
- *     direction      from a sample of the result against the normal of its triangle, because the normals of a staircase are
- *                    far off
+ *     direction      from a sample of the result against the normal of its triangle, because the
+ *                    normals of a staircase are far off
  *     after          from the sample to the first triangle through which the line leaves the part
  *     before         the same from the nearest point at which the line may enter the input
  *
@@ -27,9 +27,9 @@ namespace bonedecimate
 struct SolidSurface
 {
   const bonedecimate::Surface& Surface;
-  const BoundingTree& Tree; ///< Of the surface.
+  const BoundingTree& Tree; ///< Bounding tree of the surface.
   const std::vector<PartSides>*
-    Sides; ///< Of each triangle; null: all normals point out of the one solid 0.
+    Sides; ///< One for each triangle; null: all normals point out of the one solid 0.
 };
 
 struct ThicknessChange
@@ -37,7 +37,8 @@ struct ThicknessChange
   ThicknessFigures Before, After;
 };
 
-/// @param triangles Of the result: the surface of the part, normals out of it.  @param solid The part, as in the sides.
+/// @param triangles Of the result: the surface of the part, normals out of it.
+/// @param solid The part, as in the sides.
 ThicknessChange CompareThickness(const SolidSurface& before, const SolidSurface& after,
   const std::vector<Triangle>& triangles, Index solid, std::size_t samples, int threads);
 }

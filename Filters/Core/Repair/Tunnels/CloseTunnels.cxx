@@ -46,7 +46,7 @@ struct Remaining
   std::vector<Index> Ids; // of the triangles in the plugged surface
 };
 
-/// Of each point the sum over its triangles, each with twice its area.
+/// The sum of the triangle normals at each point, each weighted by twice its area.
 std::vector<Vector3> NormalsOf(const Surface& surface)
 {
   std::vector<Vector3> normals(surface.Points.size(), Vector3::Zero());
@@ -183,7 +183,8 @@ private:
     return this->Figures.Closed.size() > before;
   }
 
-  /// By the normals along the loop: the mean of their part towards the middle, weighted by length and distance.
+  /// By the normals along the loop: the mean of their part towards the middle,
+  /// weighted by length and distance.
   Surrounded Surrounds(const ShortLoop& loop, const std::vector<Vector3>& normals) const
   {
     constexpr double clear = 0.25;

@@ -15,7 +15,7 @@ namespace
 {
 /// mm for each mm along an edge.
 constexpr double Slope = 0.3;
-/// Of EdgeLength.
+/// Least length for a chordal error, as a fraction of EdgeLength.
 constexpr double LeastChordal = 0.1;
 constexpr double RadiusOfCurvature = 0.25;
 

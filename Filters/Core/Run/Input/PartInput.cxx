@@ -32,7 +32,7 @@ HalfEdgeMesh BuildMesh(const SurfacePart& part, int threads, CleanSurface& clean
   return HalfEdgeMesh(clean.Surface, threads, clean.ManifoldPatches);
 }
 
-/// Of each vertex the corner of that triangle that is nearest to it.
+/// The corner of each triangle that is nearest to its point.
 std::vector<Index> NearestCorners(
   const std::vector<Vector3>& points, const Surface& surface, std::vector<Index> triangles)
 {

@@ -84,7 +84,7 @@ std::vector<Index> NonManifoldInputPoints(const Rings& rings, const CleanSurface
   return points;
 }
 
-/// Of these points, those that no feature curve passes: inner vertices of a curve can be removed.
+/// The points that no feature curve passes: inner vertices of a curve can be removed.
 std::vector<Index> WithoutCurves(
   const std::vector<Index>& points, const HalfEdgeMesh& mesh, const CleanSurface& cleaned)
 {

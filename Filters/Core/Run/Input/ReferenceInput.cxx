@@ -18,7 +18,8 @@ namespace
 constexpr double TriangleGap = 0.01;
 /// The same for the distance of the whole surface.
 constexpr double WholeGap = 1e-4;
-/// Margins for rounding: of the differences below, relative to the largest error; of distances, relative to coordinates.
+/// Margins for rounding: of the differences below, relative to the largest error; of
+/// distances, relative to coordinates.
 constexpr double RelativeSlack = 1e-12;
 
 Certificate DistanceOf(
@@ -54,7 +55,8 @@ std::array<Vector3, 3> CornersOf(const Surface& surface, Index triangle)
   return { surface.Points[v[0]], surface.Points[v[1]], surface.Points[v[2]] };
 }
 
-/// Raises the bound of every triangle of the input that may be the nearest to a point of a reference triangle.
+/// Raises the bound of every triangle of the input that may be the nearest to a
+/// point of a reference triangle.
 /// @param bounds mm, for each reference triangle.  @param used mm, for each triangle of the input.
 void RaiseToNearest(const Surface& reference, const std::vector<double>& bounds,
   const Surface& input, int threads, std::vector<double>& used)

@@ -28,8 +28,8 @@ constexpr double BoundariesProgress = 0.02;
 constexpr double InputPointsProgress = 0.095;
 constexpr double LastStep = 0.005;
 
-/// mm^3, what triangles between two labels add to the sum over all triangles. In the sum over all labels each of them counts once with
-/// either sign, that is not at all.
+/// mm^3, what triangles between two labels add to the sum over all triangles. In the sum over all
+/// labels each of them counts once with either sign, that is not at all.
 double VolumeOfWalls(const Surface& surface, const std::vector<BoundaryLabels>& pairs,
   const LabelMapSource& map, int threads)
 {

@@ -16,7 +16,7 @@ namespace
 {
 using Shapes = std::vector<std::array<Vector3, 3>>;
 
-/// Of the bounds of the distance of what was left out.
+/// Relative gap between the bounds of the distance of what was left out.
 constexpr double DistanceGap = 1e-3;
 
 LeftOutShape PrunedComponents(const PruneFigures& pruned, Shapes shapes)

@@ -20,8 +20,8 @@ namespace bonedecimate
 namespace
 {
 constexpr double LabelChangeToTell = 0.01;
-/// A position of the result is told if it is farther than this of the input's diagonal, and than this many root mean squares of
-/// the distance: then it is the tip of a spike.
+/// A position of the result is told if it is farther than this of the input's diagonal, and than
+/// this many root mean squares of the distance: then it is the tip of a spike.
 constexpr double DistanceToTell = 0.05;
 constexpr double RatioToTell = 10.0;
 
@@ -194,7 +194,7 @@ const char* RegionStatusWord(RegionStatus status)
 
 namespace
 {
-/// Of tolerances and edge lengths, one for each point.
+/// Rejection of tolerances or edge lengths, which have one value for each point.
 std::string NumbersMessage(const CleaningStatistics& found, InputStatus status)
 {
   const bool areLengths = status == InputStatus::BadEdgeLengths;
