@@ -46,8 +46,8 @@ constexpr const char* LabelValuesName = "LabelValues";
 void AddLabelMapArrays(const LabelMapSource& source, int threads, vtkPolyData* output);
 
 /// Adds BoundaryLabels to a result if those of the input were not passed; vertices and lines get
-/// two zeros. Removes GridPoint, because points of a result are not where they were extracted. Field
-/// arrays are passed with all others.
+/// two zeros. Removes GridPoint, because points of a result are not where they were extracted.
+/// Field arrays are passed with all others.
 void PassLabelMapArrays(
   const LabelMapSource& source, const std::vector<BoundaryLabels>& ofTriangle, vtkPolyData* output);
 
