@@ -135,7 +135,7 @@ FaceVersion EditJournal::NewFace(Index edit, Index i) const
 }
 
 //------------------------------------------------------------------------------
-/// Of one of its faces.
+/// The edit that made a face that the edit replaced; None if no edit made it.
 Index EditJournal::EditBefore(Index edit, FaceId face) const
 {
   Index i = 0;

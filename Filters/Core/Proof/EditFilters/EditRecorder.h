@@ -31,7 +31,7 @@ public:
   void BeginPatch(const HalfEdgeMesh& mesh);
   void EndPatch(const HalfEdgeMesh& mesh);
 
-  /// Of the last collapse that was settled: vertices that move with it.
+  /// Adds the vertices that move with the last collapse that was settled.
   void AddMoves(const std::vector<VertexMove>& moves);
 
   /// Positions are in mm from the local origin.

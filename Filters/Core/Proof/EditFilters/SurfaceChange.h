@@ -46,11 +46,11 @@ struct SurfaceChange
   VertexId Moved;               ///< The vertex that is new or moves; None if none is.
   Vector3 Position = Vector3::Zero();
 
-  /// @param around Of the edge to collapse.
+  /// @param around Neighborhood of the edge to collapse.
   void FillCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
-  /// The same edge in one more manifold patch: all of them end at one original vertex.
+  /// Adds the collapse in one more manifold patch; all collapses end at one original vertex.
   void AddCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
-  /// The same edge, and vertices near it that move: all inside, none of them an end of the edge.
+  /// Fills a collapse and moves of vertices near its edge, all inside, none of them an end of it.
   void FillCollapseAndMoves(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around,
     const Edit& edit, const std::vector<VertexMove>& moves);
   void FillMove(const HalfEdgeMesh& mesh, const Edit& edit);
