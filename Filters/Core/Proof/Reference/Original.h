@@ -76,7 +76,7 @@ private:
     AtSplits; // for each vertex the one into which it was merged before the first split; empty: none yet
   LargeArray<Index> MergedInto; // since then; the vertex itself while it exists
   std::vector<Index> Nearest;   // for each vertex, if distances are recorded
-  std::vector<double> Errors;   // the same, mm
+  std::vector<double> Errors;   // mm, for each vertex, if distances are recorded
   double Largest = 0.0;         // mm
 };
 }

@@ -24,9 +24,9 @@ struct ReferenceMesh
   HalfEdgeMesh Mesh;
   CutEdges Cuts;
   BoundingTree Tree;
-  std::vector<Index> NearVertex; ///< Of each vertex of this mesh, a vertex of the input near it.
+  std::vector<Index> NearVertex; ///< For each vertex of this mesh, a vertex of the input near it.
   std::vector<Index>
-    NearTriangle; ///< Of each vertex of the input, a triangle of this mesh near it.
+    NearTriangle; ///< For each vertex of the input, a triangle of this mesh near it.
 };
 }
 
