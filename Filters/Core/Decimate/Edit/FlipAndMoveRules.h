@@ -27,7 +27,8 @@ std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<In
 Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeChange);
 Rejection CheckMove(
   const HalfEdgeMesh& mesh, VertexId vertex, const Vector3& position, double& volumeChange);
-/// Of a collapse together with moves, or a split: the rules of a move for each new face against the face that it replaces.
+/// Checks a collapse together with moves, or a split, by the rules of a move: each new face against
+/// the face that it replaces.
 Rejection CheckNewFaces(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange);
 }
