@@ -9,9 +9,9 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Of the height of T over the longer one of its sides at the first corner, in parts of that side.
+/// Least height of T over the longer of its sides at the first corner, as a ratio of that side.
 constexpr double LeastHeight = 1e-2;
-/// More triangles over T take longer than cutting T.
+/// Largest number of triangles over T; with more, cutting T is faster.
 constexpr std::size_t MostTriangles = 4096;
 /// Relative error of a predicate and of the clipped coordinates, about 90 u.
 constexpr double PredicateError = 1e-14;
