@@ -35,10 +35,10 @@ struct Arguments
   std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
   SegmentArguments Segments;
   double FillVolume = 0.0;  ///< mm3, of cavities of volumes; 0: fills none.
-  bool TakesLabels = false; ///< Also values that look like labels, as intensities.
+  bool TakesLabels = false; ///< Takes values that look like labels as intensities.
   std::vector<Region> Regions;
-  LengthUnit Unit;            ///< Of the coordinates in files of surfaces that do not name it.
-  int PositionBits = 16;      ///< Of a coordinate in files that have a grid.
+  LengthUnit Unit;            ///< Unit of coordinates in files of surfaces that name none.
+  int PositionBits = 16;      ///< Bits of a coordinate in files that have a grid.
   bool CompressesGlb = false; ///< Outputs in glb.
   bool ColorsErrors = false;  ///< Whether vertex colors show the error.
 

@@ -19,15 +19,14 @@ namespace bonedecimate
 struct BatchBone
 {
   std::string Input;
-  std::string Root;  ///< The folder that was searched; of a file that was named, its folder.
-  std::string Below; ///< The folder of the input from there; empty: the same.
-  std::string
-    Name; ///< Of the outputs, unlike that of any other bone of the batch; may have folders.
+  std::string Root;  ///< The folder that was searched, or the folder of a file that was named.
+  std::string Below; ///< The folder of the input, relative to Root; empty: Root itself.
+  std::string Name;  ///< Name of the outputs, unique in the batch; may have folders.
   std::string Output;
   std::string Report;
   bool Volume = false;
-  std::string WhyNot;                  ///< Why nothing is done with it; empty for a bone.
-  ExitCode CodeIfNot = ExitCode::Done; ///< What that means for the batch.
+  std::string WhyNot;                  ///< Why the input is left out; empty for a bone.
+  ExitCode CodeIfNot = ExitCode::Done; ///< Exit code of the batch if it is left out.
 
   bool IsBone() const { return this->WhyNot.empty(); }
 };

@@ -80,7 +80,7 @@ struct TableColumn
 {
   const char* Title;
   std::size_t Width;
-  const char* Heading; ///< Of the figure.
+  const char* Heading; ///< Column of summary.csv that has the figure.
   std::string (*Text)(double);
 };
 
@@ -93,8 +93,8 @@ const std::array<TableColumn, 6> TableColumns = { {
   { "proved <= mm", 12, "proved_mm", [](double value) { return UpperBoundText(value, 6); } },
 } };
 
-constexpr std::size_t StatusWidth = 11; // of "interrupted"
-constexpr std::size_t ProofWidth = 10;  // of "not proved"
+constexpr std::size_t StatusWidth = 11; // characters of "interrupted"
+constexpr std::size_t ProofWidth = 10;  // characters of "not proved"
 
 Json FigureOf(const BatchRow& row, const char* heading)
 {

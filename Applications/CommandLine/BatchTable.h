@@ -23,7 +23,7 @@ struct BatchRow
   std::string Status = "not run"; ///< Or "done", "skipped", "failed", "interrupted".
   ExitCode Code = ExitCode::Interrupted;
   std::string Message;    ///< Why it failed or was skipped, and what its report warns of.
-  nlohmann::json Figures; ///< Of its report, by column of summary.csv; null: none.
+  nlohmann::json Figures; ///< Figures of its report, by column of summary.csv; null: none.
 };
 
 /// Takes figures and warnings from the file of a report. A report that cannot be read gives none.

@@ -19,10 +19,10 @@ namespace bonedecimate
 struct CapArguments
 {
   std::vector<std::string> Files;  ///< Input and output.
-  std::string Loops = "planes";    ///< Or "all".
+  std::string Loops = "planes";    ///< "planes" or "all".
   std::optional<double> Tolerance; ///< mm; empty: the filter's.
   std::string Json;                ///< A file; empty: none.
-  LengthUnit Unit;                 ///< Of the coordinates in the files.
+  LengthUnit Unit;                 ///< Unit of the coordinates in the files.
   bool Quiet = false;
 };
 

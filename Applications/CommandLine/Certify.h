@@ -27,9 +27,9 @@ struct CertifyArguments
   LabelMapFile Map;                ///< Without a map the voxels are not compared.
   std::string Json;                ///< A file; empty: none.
   std::string Page;                ///< A file; empty: none.
-  LengthUnit Unit;                 ///< Of the coordinates in both files.
+  LengthUnit Unit;                 ///< Unit of the coordinates in both files.
   double Gap = 1e-6;
-  double Precision = 5e-3; ///< Of means.
+  double Precision = 5e-3; ///< Relative precision of the mean distances.
   int Threads = 0;
   bool FirstProof = false; ///< Stop at the tolerance.
   bool WithoutMeans = false;

@@ -38,7 +38,7 @@ public:
 
   int GetProcess() const;
 
-  /// Of an ended child. One that died counts as out of memory, the usual cause of it.
+  /// Exit code of an ended child. One that died counts as out of memory, the usual cause.
   ExitCode GetCode() const;
 
   /// What it said on its standard error, or what it died of.

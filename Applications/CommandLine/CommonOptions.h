@@ -27,8 +27,8 @@ const NumberRange HounsfieldRange = { -LargestNumber, LargestNumber, false, "HU"
 
 /// @name Validators of texts; their message is "takes VALUES, not 'TEXT'". @{
 CLI::Validator InRange(const NumberRange& range);
-CLI::Validator EachInRange(const NumberRange& range); ///< Of numbers with commas in between.
-CLI::Validator ValueOf(const OptionInfo& info);       ///< Of an option of the table.
+CLI::Validator EachInRange(const NumberRange& range); ///< Numbers with commas in between.
+CLI::Validator ValueOf(const OptionInfo& info);       ///< A value of an option of the table.
 CLI::Validator OneOf(const std::string& choices);     ///< Words with bars in between, in any case.
 /// @}
 

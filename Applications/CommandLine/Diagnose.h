@@ -19,10 +19,10 @@ namespace bonedecimate
 {
 struct DiagnoseArguments
 {
-  std::vector<std::string> Files; ///< One.
+  std::vector<std::string> Files; ///< The one input.
   std::string Json;               ///< A file; empty: none.
   int Threads = 0;
-  LengthUnit Unit; ///< Of the coordinates in the file.
+  LengthUnit Unit; ///< Unit of the coordinates in the file.
   SettingsRecord Settings;
   bool Quiet = false;
 };

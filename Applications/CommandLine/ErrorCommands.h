@@ -32,7 +32,7 @@ struct ErrorArguments
   bool AllowLargeError = false; ///< curve only
   VoxelArguments Voxels;
   InputArguments Input;
-  LengthUnit Unit;  ///< Of the coordinates in the file.
+  LengthUnit Unit;  ///< Unit of the coordinates in the file.
   std::string Json; ///< Files; empty: none.
   std::string Csv;
   std::string Picture;

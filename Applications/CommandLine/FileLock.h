@@ -43,8 +43,8 @@ void RemoveIfAbandoned(const std::string& name);
 /// Waits until the system has accepted every byte. Returns what went wrong, or an empty text.
 std::string FlushToDisk(const std::string& name);
 
-/// Of the running system: files of other systems may lie in the same folder, and their locks tell
-/// nothing here. Empty where the system does not tell.
+/// Name of the running system: files of other systems may lie in the same folder, and their locks
+/// mean nothing here. Empty if the name is not known.
 const std::string& SystemName();
 }
 

@@ -47,7 +47,7 @@ double Widened(const std::string& name, double value, double move, double error)
   return error > 0.0 && name == "tolerance" ? error : value;
 }
 
-/// The same of all entries below one.
+/// Widens all entries below one.
 void Widen(Json& json, double move, double error)
 {
   for (auto& item : json.items())

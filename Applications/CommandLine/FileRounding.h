@@ -54,7 +54,7 @@ struct RoundedRun
   double Error; ///< mm, requested; 0: none, or not known before the run.
   std::string BoundArray;
   bool MergesPoints;
-  const std::string& Path; ///< Of the input, for messages.
+  const std::string& Path; ///< Path of the input, for messages.
 };
 
 struct RoundedResult

@@ -18,7 +18,7 @@ struct FileStamp
   std::string Modified; ///< UTC, to the nanosecond: "2024-05-01T12:00:00.123456789Z".
 };
 
-/// Of a file, or of all files of a folder together (DICOM): the sum of sizes and the latest change.
+/// Stamp of a file, or of all files of a folder (DICOM): the sum of sizes and the latest change.
 FileStamp StampOf(const std::string& path);
 }
 

@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of properties with a flag.
+/// Flags by the names of their properties.
 std::map<std::string, std::string> MakeFlags()
 {
   std::map<std::string, std::string> flags = { { "Label", "--label" } };

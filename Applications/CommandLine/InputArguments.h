@@ -23,7 +23,7 @@ class vtkBoneDecimateAlgorithm;
 
 namespace bonedecimate
 {
-/// Of commands whose options are not those of the table.
+/// Arguments about the input, for commands whose options are not those of the table.
 struct InputArguments
 {
   std::string ToleranceArray;

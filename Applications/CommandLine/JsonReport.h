@@ -27,19 +27,19 @@ struct ReportSubject
 {
   std::string Input;
   std::string Output;
-  std::string Unit;             ///< Of the coordinates in both.
-  std::string CoordinateSystem; ///< Of the surface of a volume: "LPS"; empty: that of the input.
+  std::string Unit;             ///< Unit of the coordinates in input and output.
+  std::string CoordinateSystem; ///< "LPS" if the input is a volume; empty: that of the input.
   FileStamp InputStamp;         ///< From before the input was read.
   std::int64_t OutputBytes = 0;
   std::map<std::string, std::string> Given; ///< The options of the command line, by flag.
-  SettingsRecord Settings;                  ///< Where some of them are from.
+  SettingsRecord Settings;                  ///< Where some of the options are from.
   std::vector<std::string> Warnings;
   std::vector<std::string> Notes; ///< What was done as the user wants it, and what formats lack.
-  /// Of each surface that was written after it had been proved: see ProveWritten().
+  /// Result of ProveWritten() for each surface that was written after it had been proved, by file.
   std::map<std::string, std::string> ProvedFiles;
-  std::vector<SegmentRecord> Segments; ///< Of a label map.
-  std::optional<SlabFigures> Slabs;    ///< Of a run in slabs.
-  PiecesOfLabels Changed; ///< Before extraction, of a volume; empty: nothing was requested.
+  std::vector<SegmentRecord> Segments; ///< Segments of a label map.
+  std::optional<SlabFigures> Slabs;    ///< Figures of a run in slabs.
+  PiecesOfLabels Changed; ///< Changes of a volume before extraction; empty: none were requested.
   double SecondsRead = 0.0;
   double SecondsWrite = 0.0;
   double SecondsTotal = 0.0; ///< From the start to the written surface.
@@ -63,8 +63,8 @@ struct CertificateSubject
   std::string Result;
   std::string LabelMap;            ///< Empty: none.
   std::optional<double> Tolerance; ///< mm
-  std::string ToleranceArray;      ///< Of the reference; empty: none.
-  std::string Unit;                ///< Of the coordinates in the files of surfaces.
+  std::string ToleranceArray;      ///< Point array of the reference; empty: none.
+  std::string Unit;                ///< Unit of the coordinates in the files of surfaces.
   nlohmann::ordered_json Voxels;   ///< "voxels"; null: not compared.
   std::vector<std::string> Warnings;
   std::string

@@ -30,12 +30,13 @@ struct LabelMapFile
     0; ///< What a surface without labels encloses; 0: the only label of the map that is not 0.
   std::vector<double> Spacing; ///< mm, of TIFF files; empty, one or three numbers.
 
-  std::string Series; ///< Of folders of DICOM files; empty: the largest.
+  std::string Series; ///< Series of a folder of DICOM files; empty: the largest.
 
   VoxelSpacing GetSpacing() const;
 };
 
-/// Adds an option that takes a label map, --label, --spacing and --series. @param flags Of the map.
+/// Adds an option that takes a label map, --label, --spacing and --series.
+/// @param flags Flags of the option for the map.
 void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char* help);
 
 /// Requires that --label is given only with a map. @param flag Of the map. @throws Failure(ExitCode::Usage)
@@ -45,7 +46,7 @@ void CheckLabel(const LabelMapFile& map, const std::string& flag);
 /// @throws Failure(ExitCode::Usage)
 void CheckSpacing(const LabelMapFile& map, const std::vector<std::string>& inputs = {});
 
-/// The same of --series.
+/// Requires that --series is given only with a map or input that needs it.
 void CheckSeries(const LabelMapFile& map, const std::vector<std::string>& inputs = {});
 
 /// Reads a label map. @throws Failure(ExitCode::InputRejected)

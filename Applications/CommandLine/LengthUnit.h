@@ -41,7 +41,7 @@ struct LengthUnit
 /// The unit of a file: mm if its format names it, else the requested one.
 LengthUnit UnitOfFile(const std::string& path, const LengthUnit& requested);
 
-/// That of several files: mm if each names it.
+/// The unit of several files: mm if the format of each names it, else the requested one.
 LengthUnit UnitOfFiles(
   const std::vector<const SurfaceFormat*>& formats, const LengthUnit& requested);
 

@@ -342,8 +342,8 @@ private:
   std::optional<StagedFile> Record;
   std::optional<StagedFile> Page;
   double GridStep = 0.0;               // mm; 0: none
-  bool IsSingle = false;               // the file that was read last
-  vtkSmartPointer<vtkPolyData> InFile; // the same, in its unit
+  bool IsSingle = false;               // whether the file that was read last is in single precision
+  vtkSmartPointer<vtkPolyData> InFile; // surface that was read last, in the unit of its file
   vtkNew<vtkBoneDecimateLevels> Filter;
 };
 }

@@ -47,7 +47,7 @@ struct LevelsArguments
   /// @}
 
   int Threads = 0;
-  LengthUnit Unit; ///< Of the coordinates in files of surfaces; a log is in millimeters.
+  LengthUnit Unit; ///< Unit of coordinates in files of surfaces; a log is in millimeters.
   SettingsRecord Settings;
   bool Quiet = false;
 };

@@ -20,11 +20,12 @@ namespace
 {
 constexpr std::int64_t MiB = std::int64_t(1) << 20;
 constexpr std::int64_t LeastMemory = 256 * MiB;
-/// Assumed of a run with a bound, for each triangle of the input: more than one takes (Documentation/error-bound.md).
+/// Memory assumed for each triangle of the input of a run with a bound, more than is used
+/// (Documentation/error-bound.md).
 constexpr std::int64_t BytesOfATriangle = 1000;
-/// Of the program and its libraries.
+/// Memory of the program and its libraries.
 constexpr std::int64_t BytesOfTheProgram = 128 * MiB;
-/// A run in slabs divides what is left between a slab, its voxels, and the result with what is run again.
+/// A run in slabs divides the rest between a slab, its voxels, and the result with what runs again.
 constexpr std::int64_t PartsOfMemory = 8;
 constexpr std::int64_t PartsOfASlab = 4;
 constexpr std::int64_t LeastTriangles = 20000;

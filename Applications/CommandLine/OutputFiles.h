@@ -28,7 +28,7 @@ struct OutputFiles
   /// Adds a file for the surface of a segment. @throws Failure(ExitCode::Usage) if one of that name is written already.
   StagedFile& AddSegment(const std::string& target);
 
-  std::optional<StagedFolder> Folder; ///< Of the segments; goes after its files.
+  std::optional<StagedFolder> Folder; ///< Folder of the segments; removed after its files.
   /// The output first, unless segments have files of their own, then those of --also.
   std::list<StagedFile> Surfaces;
   std::list<StagedFile> Segments;

@@ -16,9 +16,9 @@ namespace bonedecimate
 enum class Progress
 {
   Hidden,
-  Bar,   ///< On the error output, if that is a terminal.
+  Bar,   ///< A bar on the error output, if that is a terminal.
   Lines, ///< A bar on a terminal; otherwise a line on the error output every 10 %.
-  Tags   ///< Those of 3D Slicer, on the standard output; without the phase.
+  Tags   ///< Tags of 3D Slicer, on the standard output; without the phase.
 };
 
 class ProgressDisplay

@@ -32,7 +32,7 @@ void Require(bool isRight, const std::string& sentence)
   }
 }
 
-/// Of the value of --label-names.
+/// Error message for the value of --label-names; empty if it is valid.
 std::string TableProblem(std::string& text)
 {
   std::error_code error;

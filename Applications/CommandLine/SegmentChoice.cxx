@@ -51,7 +51,7 @@ void CollectValues(const Scalar* values, vtkIdType count, std::set<std::int64_t>
   for (const Scalar* value = values; value != values + count && labels.size() <= MostSegments + 1;
        ++value)
   {
-    const bool isLast = !(*value < last) && !(*value > last); // as of most neighbors
+    const bool isLast = !(*value < last) && !(*value > last); // true for most neighbors
     if (!isLast && IsLabel(*value))
     {
       last = *value;
@@ -87,7 +87,7 @@ bool IsMeant(const NamedLabel& segment, const std::string& word)
     (!segment.Name.empty() && LowerCase(segment.Name) == LowerCase(word));
 }
 
-/// Of nnU-Net, which gives a name to several labels.
+/// Whether the word names a region of nnU-Net, which has several labels, with this segment.
 bool IsInRegion(const NamedLabel& segment, const std::string& word, const LabelRegions& regions)
 {
   const auto region = regions.find(LowerCase(word));
@@ -117,7 +117,7 @@ void WarnOfEmpty(
   }
 }
 
-/// Of TotalSegmentator, by its name.
+/// Whether the segment has the name of a bone of TotalSegmentator.
 bool IsBone(const NamedLabel& segment)
 {
   const auto& bones = TotalSegmentatorBones();

@@ -30,8 +30,8 @@ struct FoundSegments
 {
   std::vector<NamedLabel>
     Present; ///< The labels of the voxels but 0, ascending, with names and colors.
-  std::vector<NamedLabel> Empty; ///< Those that are described and no voxel has.
-  bool AreDescribed = false;     ///< By the map, as parts of it; off: by a table for many maps.
+  std::vector<NamedLabel> Empty; ///< Labels that are described and that no voxel has.
+  bool AreDescribed = false;     ///< The map describes its labels; off: a table for many maps does.
   LabelRegions Regions;          ///< Names of several labels.
   std::string Note;              ///< Where names are from; may be empty.
   std::vector<std::string> Warnings;
@@ -47,7 +47,7 @@ inline constexpr const char* NoChosenVoxelReason = "no voxel belongs to what --s
  */
 FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,
   const SegmentArguments& arguments, const std::string& path);
-/// Of a map in memory.
+/// Finds the segments of a map in memory.
 FoundSegments FindSegments(
   vtkImageData* map, const SegmentArguments& arguments, const std::string& path);
 
@@ -66,7 +66,7 @@ std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
 std::vector<LeftOut> SegmentsLeftOut(const FoundSegments& segments,
   const SegmentArguments& arguments, const std::vector<NamedLabel>& chosen);
 
-/// The same before anything of the map is read, so that segments which were not chosen cover none of the others.
+/// The choice before the map is read, so that segments that were not chosen cover no other ones.
 SegmentSelection SelectionOf(const SegmentArguments& arguments, const std::string& path);
 }
 

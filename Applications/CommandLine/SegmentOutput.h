@@ -28,13 +28,13 @@ bool IsSegmentFolder(const Arguments& arguments);
 /// Whether each segment has a file of its own.
 bool WritesSegments(const Arguments& arguments);
 
-/// The folder of these files.
+/// The folder of the files of segments.
 std::string FolderOfSegments(const Arguments& arguments);
 
-/// The extension of these files.
+/// The extension of the files of segments.
 std::string ExtensionOfSegments(const Arguments& arguments);
 
-/// Of all surfaces that one run writes, but for heat maps.
+/// Formats of all surfaces that one run writes, except heat maps.
 std::vector<const SurfaceFormat*> FormatsOfSurfaces(const Arguments& arguments);
 
 /// Report, page and picture of a folder of segments get their names there if they have none, unless there are many bones.

@@ -23,8 +23,8 @@ struct SegmentRecord
   std::int64_t Triangles = 0;
   std::vector<double>
     Volumes; ///< mm3, of each component, the largest first; cavities are negative.
-  std::optional<ChangedPieces> Changed; ///< Before extraction; none: not requested.
-  std::string File;                     ///< Of its own, without folder; empty: none.
+  std::optional<ChangedPieces> Changed; ///< Changes before extraction; none: not requested.
+  std::string File; ///< File of this segment alone, without folder; empty: none.
   std::int64_t Bytes = 0;
 };
 }

@@ -53,7 +53,7 @@ private:
   bool ReadsWhole = false;
   std::vector<std::int64_t> Changes; ///< CountLabelChanges().
   std::unique_ptr<volume::SlabReader> Reader;
-  std::vector<std::int64_t> LastLayers; ///< Of the slabs.
+  std::vector<std::int64_t> LastLayers; ///< Last layer of each slab.
   std::size_t NextSlab = 0;
   Index NextLayer = 0;
 };

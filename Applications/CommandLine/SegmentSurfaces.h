@@ -21,10 +21,10 @@ namespace bonedecimate
 {
 struct SegmentSurfaces
 {
-  vtkSmartPointer<vtkPolyData> Surface; ///< Of all segments together, by vtkBoneSurfaces.
-  vtkSmartPointer<vtkImageData> Map;    ///< As it was extracted.
+  vtkSmartPointer<vtkPolyData> Surface; ///< Surface of all segments together, by vtkBoneSurfaces.
+  vtkSmartPointer<vtkImageData> Map;    ///< The map as it was extracted.
   std::string Note;                     ///< Where names of labels are from; may be empty.
-  PiecesOfLabels Changed; ///< What changed on request before that; empty: nothing was requested.
+  PiecesOfLabels Changed; ///< What changed in the map on request; empty: nothing was requested.
 };
 
 /// Reads the label map and extracts the segments that the arguments choose. @throws Failure(ExitCode::InputRejected)

@@ -39,8 +39,8 @@ public:
   virtual ~SlabSource() = default;
 
   virtual std::string GetProblem() const = 0; ///< Why the volume was rejected; empty if it was not.
-  virtual std::string GetNote() const = 0;    ///< For the user; may be empty.
-  virtual std::string GetRemark() const = 0;  ///< The same, of what is no warning.
+  virtual std::string GetNote() const = 0;    ///< A warning for the user; may be empty.
+  virtual std::string GetRemark() const = 0;  ///< A note for the user; may be empty.
   virtual Extent GetExtent() const = 0;
   virtual double GetVoxelSize() const = 0; ///< mm, the least side.
   virtual SlabAxis GetAxis() const = 0;
@@ -63,7 +63,7 @@ public:
 /// What the report says of voxels that the scanner did not measure.
 LeftOut PaddingLeftOut(std::int64_t voxels);
 
-/// That of the arguments, which have --iso or --segments. @throws Failure
+/// Makes the source for the arguments, which have --iso or --segments. @throws Failure
 std::unique_ptr<SlabSource> MakeSlabSource(const Arguments& arguments);
 }
 

@@ -43,7 +43,7 @@ fs::path ResolvedTarget(const std::string& target)
   return error ? FilePath(target) : resolved;
 }
 
-/// Of a file that is there.
+/// Permissions of a regular file; nothing if there is no such file.
 std::optional<fs::perms> ModeOf(const std::string& file)
 {
   std::error_code error;

@@ -47,7 +47,7 @@ public:
 
 private:
   std::string Target;
-  std::string Resolved;                       // the same without symbolic links
+  std::string Resolved;                       // Target without symbolic links
   std::string Temporary;                      // empty once committed
   std::optional<std::filesystem::perms> Mode; // of the file that is replaced
   FileLock Lock;

@@ -37,7 +37,7 @@ struct ProvedRun
   vtkPolyData* Input;
   vtkPolyData* Output;
   double Tolerance;           ///< mm, everywhere; 0: none
-  std::string ToleranceArray; ///< Of the input's points; empty: none.
+  std::string ToleranceArray; ///< Point array of the input; empty: none.
   bool WithBoundaries;
   int NumberOfThreads;
 };

@@ -35,7 +35,7 @@ struct NamedLabel
   std::optional<LabelColor> Color;
 };
 
-/// Of every row of LabelValues; empty if there is no such array.
+/// One label for each row of LabelValues; empty if there is no such array.
 std::vector<NamedLabel> ReadNamedLabels(vtkFieldData* fields);
 
 /// Replaces the three arrays. Without any color there is no LabelColors; a label without one is black.

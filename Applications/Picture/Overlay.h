@@ -30,8 +30,8 @@ enum class Align
 struct Words
 {
   std::string Text;
-  Position At;        ///< Of the text's middle in height.
-  double Size = 0.02; ///< Of the letters, in heights of the window.
+  Position At;        ///< Where the text is, at half its height.
+  double Size = 0.02; ///< Size of the letters, in heights of the window.
   Align Side = Align::Left;
   bool IsBold = false;
   bool IsQuiet = false; ///< Gray.

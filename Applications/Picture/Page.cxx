@@ -39,7 +39,7 @@ std::string LengthText(const Value& value)
   return value ? EscapedXml(MillimeterText(*value)) : Unknown;
 }
 
-/// Of the triangles, in parentheses; empty if it is not known.
+/// Percentage of the triangles that remain, in parentheses; empty if it is not known.
 std::string PercentageText(const ReportFields& report)
 {
   const Value before = report.Number("input.triangles");

@@ -26,7 +26,7 @@ struct PageSubject
   std::string DistanceArrayName;       ///< On Before, mm.
   std::string ResultDistanceArrayName; ///< On Result, mm.
   std::vector<std::string>
-    Changes;               ///< Of the voxels before extraction; empty: none were requested.
+    Changes; ///< What changed in the voxels before extraction; empty: nothing was requested.
   std::string PictureFile; ///< A PNG to embed; empty: no picture, and the page says so.
   SurfaceReducer Reduce;   ///< For the interactive view of surfaces that are too large for a page.
 };

@@ -23,7 +23,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// The same points with the triangles that have an area; the filter leaves the others out, too.
+/// The surface without triangles of no area, which the filter leaves out, too. All points remain.
 vtkSmartPointer<vtkPolyData> WithArea(vtkPolyData* triangles)
 {
   vtkNew<vtkCellArray> kept;

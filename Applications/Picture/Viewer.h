@@ -20,11 +20,11 @@ namespace bonedecimate
 struct ViewerSurface
 {
   vtkSmartPointer<vtkPolyData> Surface;
-  std::string DistanceArrayName; ///< Of its points, mm; empty: none.
-  std::string Caption;           ///< Behind the number of triangles; may be empty.
+  std::string DistanceArrayName; ///< Point array of distances, mm; empty: none.
+  std::string Caption;           ///< Text behind the number of triangles; may be empty.
 };
 
-/// A surface with at most that many triangles and the arrays of the other.
+/// Returns a surface with at most that many triangles and the arrays of the given one.
 using SurfaceReducer =
   std::function<vtkSmartPointer<vtkPolyData>(vtkPolyData* surface, vtkIdType triangles)>;
 
@@ -33,8 +33,8 @@ struct ViewerSubject
   ViewerSurface Before;
   std::vector<ViewerSurface>
     Levels; ///< At least one, from coarse to fine. Labels are those of the last.
-  std::string Legend = "distance to the other surface, mm"; ///< Of the colors.
-  std::size_t MostBytes = 20000000; ///< Of everything that the view adds to the page.
+  std::string Legend = "distance to the other surface, mm"; ///< Title of the color scale.
+  std::size_t MostBytes = 20000000; ///< Largest size of what the view adds to the page.
   SurfaceReducer Reduce; ///< For surfaces that are too large; empty: they are carried whole.
 };
 
@@ -48,7 +48,7 @@ struct ViewerHtml
 /// Whether the program was built with the view.
 bool HasViewer();
 
-/// The same bytes for the same surfaces.
+/// Composes the view. The same surfaces give the same bytes.
 ViewerHtml ComposeViewer(const ViewerSubject& subject);
 }
 

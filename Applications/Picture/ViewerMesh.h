@@ -30,7 +30,7 @@ struct QuantizationGrid
 /// Distances are bytes: 255 is the end of the range, or more.
 struct QuantizedDistances
 {
-  std::string ArrayName; ///< Of points, mm; empty: the surface has none.
+  std::string ArrayName; ///< Point array of distances, mm; empty: the surface has none.
   double Range = 1.0;    ///< mm
 };
 
@@ -49,9 +49,9 @@ struct EncodedSurface
 };
 
 /**
- * The same bytes for the same surface. Each piece has points of its own, in the order of their first use; points at a boundary
- * between pieces are rounded to the same position in both.
- * @param triangles Nothing else. @param pieces Of these triangles.
+ * The same surface gives the same bytes. Each piece has points of its own, in the order of their
+ * first use; points at a boundary between pieces are rounded to the same position in both.
+ * @param triangles A surface of triangles alone. @param pieces Pieces of these triangles.
  */
 EncodedSurface EncodeSurface(vtkPolyData* triangles, const std::vector<ViewerPiece>& pieces,
   const QuantizationGrid& grid, const QuantizedDistances& distances);

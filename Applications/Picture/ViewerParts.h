@@ -25,7 +25,7 @@ namespace bonedecimate
 struct ViewerPart
 {
   std::string Name;
-  std::optional<LabelColor> Color; ///< Of a label.
+  std::optional<LabelColor> Color; ///< Color of the label, if it has one.
 };
 
 /// Triangles of a surface that belong to the same parts: a wall between two labels belongs to both.

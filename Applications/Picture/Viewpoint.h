@@ -20,7 +20,7 @@ namespace bonedecimate
 struct Viewpoint
 {
   std::array<double, 3> ToViewer;
-  std::array<double, 3> Right; ///< Of the picture, not of the patient.
+  std::array<double, 3> Right; ///< Right of the picture, not of the patient.
   std::array<double, 3> Up;
 };
 

@@ -83,7 +83,7 @@ private:
   volume::FieldOfView View;
   std::vector<std::int64_t> Points; ///< CountContourPoints().
   std::unique_ptr<volume::SlabReader> Reader;
-  std::vector<std::int64_t> LastLayers; ///< Of the slabs.
+  std::vector<std::int64_t> LastLayers; ///< Last layer of each slab.
   std::size_t NextSlab = 0;
 };
 }

@@ -24,7 +24,7 @@ namespace bonedecimate
 /// for folders that hold DICOM files or TIFF slices; and for one DICOM file (.dcm), which is rejected.
 bool IsVolume(const std::string& path);
 
-/// The same by the extension alone: for files that need not be there.
+/// Whether the extension is that of a volume; the file need not exist.
 bool IsVolumeFile(const std::string& path);
 
 /// The extensions of these files, in lower case, without the first dot: "nii.gz".

@@ -11,13 +11,13 @@
 
 namespace bonedecimate::volume
 {
-/// Of the reader, before it begins. Both processes see it from now on.
+/// Clears the name. Called before the reader begins; both processes see the names set from then on.
 void ResetCurrentFile();
 
-/// @param path Empty: none of many.
+/// @param path Empty: the reader reads none of several files.
 void SetCurrentFile(const std::string& path);
 
-/// The name without its folder; empty: none of many.
+/// The name without its folder; empty: the reader reads none of several files.
 std::string CurrentFile();
 
 /// "its file IM0001.dcm is damaged or truncated: ..."

@@ -19,7 +19,7 @@
 
 namespace bonedecimate::volume
 {
-/// Without blanks and zeros at either end; empty if it is not there.
+/// Text of an attribute without blanks and zeros at either end; empty if it is not there.
 std::string TextOf(const gdcm::DataSet& data, const gdcm::Tag& tag);
 
 /// Exactly so many decimal numbers (DS or IS), or none.
@@ -30,11 +30,11 @@ std::optional<std::vector<double>> NumbersOf(
 std::optional<std::vector<std::uint16_t>> WordsOf(
   const gdcm::DataSet& data, const gdcm::Tag& tag, std::size_t count);
 
-/// The items of a sequence, as long as it lives.
+/// The items of a sequence, valid as long as this object lives.
 class DicomItems
 {
 public:
-  /// Of a sequence that is not there there are none.
+  /// Has no items if there is no such sequence.
   DicomItems(const gdcm::DataSet& data, const gdcm::Tag& tag);
 
   std::size_t Count() const { return this->Items ? this->Items->GetNumberOfItems() : 0; }

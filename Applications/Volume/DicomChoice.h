@@ -25,7 +25,7 @@ struct SeriesEntry
 
 struct SeriesChoice
 {
-  std::size_t Index = 0; ///< Of the entries.
+  std::size_t Index = 0; ///< Index of the entry that is taken.
   bool IsRequested = false;
   std::string Problem; ///< Why nothing is taken, with the list; empty if something is.
 };

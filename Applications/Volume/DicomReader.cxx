@@ -34,7 +34,7 @@ std::string FramesProblem(const std::string& file)
     "NIfTI (dcm2niix)";
 }
 
-/// Of a file beside the slices that are taken: what it holds may be missing.
+/// Names a damaged file in a folder of the slices, because it may hold a missing slice.
 std::string DamageProblem(const std::vector<std::string>& damaged, const DicomSlices& taken)
 {
   for (const std::string& file : damaged)

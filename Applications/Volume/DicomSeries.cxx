@@ -168,7 +168,7 @@ std::string RunsNote(const Slices& slices, const std::vector<SpacingRun>& runs)
   return note + "; they are read where they are.";
 }
 
-/// Of slices that are not evenly spaced.
+/// Sets the layers of slices that are not evenly spaced, or the problem if that is an error.
 void TakeUnevenSlices(DicomSeries& series)
 {
   const double step = Length(series.Geometry.Steps[2]);
@@ -204,7 +204,7 @@ std::string SeriesProblem(const DicomSeries& series)
   return GeometryProblem(series.Geometry);
 }
 
-/// Of slices below the folder; empty in the folder itself.
+/// Text with the subfolder of the slices; empty if they are in the folder itself.
 std::string SubfolderOf(const Slices& slices, const std::string& folder)
 {
   const std::string subfolder = FilePath(slices.front().File)
@@ -214,7 +214,7 @@ std::string SubfolderOf(const Slices& slices, const std::string& folder)
   return subfolder.empty() ? subfolder : " in " + subfolder;
 }
 
-/// Of the series that were not taken, with their numbers.
+/// Lists the series that were not taken, with their numbers.
 std::string OthersText(
   const std::vector<Slices>& groups, std::size_t taken, const std::string& folder)
 {
@@ -231,7 +231,7 @@ std::string OthersText(
   return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
 }
 
-/// Which series was taken where there are several, or in a folder below.
+/// Says which series was taken if there are several, or if it is in a subfolder.
 std::string TakenNote(const std::vector<Slices>& groups, std::size_t taken,
   const DicomSeries& series, const std::string& folder)
 {

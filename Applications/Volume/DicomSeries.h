@@ -21,12 +21,12 @@ struct DicomSlice
 {
   std::string File;
   std::string Series;        ///< Unique identifier of the series; compared, never written anywhere.
-  std::string Description;   ///< Of the series, UTF-8; written to no report.
-  std::string Instance;      ///< That of the image, to know copies of one file.
+  std::string Description;   ///< Description of the series, UTF-8; written to no report.
+  std::string Instance;      ///< Unique identifier of the image, to find copies of one file.
   bool IsTomography = false; ///< CT.
   std::int64_t Frames = 1;
-  std::int64_t Frame = 0;        ///< Of an enhanced image, from 0.
-  std::int64_t FramesInFile = 1; ///< Of an enhanced image.
+  std::int64_t Frame = 0;        ///< Index of the frame in an enhanced image.
+  std::int64_t FramesInFile = 1; ///< Number of frames in an enhanced image.
   std::int64_t Rows = 0;
   std::int64_t Columns = 0;
   Vector3 Position{ { 0.0, 0.0, 0.0 } };    ///< mm, of the first pixel.
@@ -47,7 +47,7 @@ struct DicomSeries
   LayerPositions Layers;
   std::string Problem;
   std::string Note;
-  std::string Remark; ///< As of a Volume.
+  std::string Remark; ///< Remark of the Volume; may be empty.
 };
 
 using DicomSlices = std::vector<DicomSlice>;

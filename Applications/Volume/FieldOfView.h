@@ -59,7 +59,7 @@ private:
   struct Ring
   {
     std::int64_t Voxels = 0;
-    std::int64_t Measured = 0; ///< Of another value than the constant.
+    std::int64_t Measured = 0; ///< Number of voxels whose value is not the constant.
     double Least = std::numeric_limits<double>::infinity();
     double Largest = -std::numeric_limits<double>::infinity();
   };

@@ -12,16 +12,16 @@ namespace bonedecimate::volume
 {
 namespace
 {
-/// Of a voxel: rounding of a header shifts less, a frame that is out of line more.
+/// Largest shift of a frame, in voxels: rounding in a header shifts less, a misplaced frame more.
 constexpr double LargestShift = 0.2;
 
 /// Frames closer than this part of a pixel lie in one plane.
 constexpr double LeastGap = 0.01;
 
-/// Of the distance of planes in the header: what the frames may have more or less, in parts of it.
+/// Largest relative difference between the distance of planes in the header and in the frames.
 constexpr double LargestChange = 0.02;
 
-/// A damaged distance of planes must not ask for memory without end.
+/// Limits the number of planes, and so the memory, if the distance of planes is damaged.
 constexpr double MostPlanes(double planesWithFrames)
 {
   return 1024.0 + 64.0 * planesWithFrames;
@@ -32,7 +32,7 @@ double PixelSide(const FramePlacement& frame)
   return std::min(frame.RowDistance, frame.ColumnDistance);
 }
 
-/// Of the first frame by itself.
+/// What is wrong with the placement of one frame by itself; empty if nothing is.
 std::string PlacementProblem(const FramePlacement& frame, const std::array<std::int64_t, 2>& size)
 {
   const double rows = static_cast<double>(size[1]) * frame.RowDistance;
@@ -48,7 +48,7 @@ std::string PlacementProblem(const FramePlacement& frame, const std::array<std::
     : "the directions of its rows and columns are not perpendicular";
 }
 
-/// Of frames that are not on one grid with the first one, wherever they lie.
+/// What differs between the first frame and another one, so that no grid has both; empty: nothing.
 std::string DifferenceProblem(const std::vector<FramePlacement>& frames)
 {
   const FramePlacement& first = frames.front();

@@ -29,11 +29,11 @@ struct FramePlacement
 struct FrameGrid
 {
   VolumeGeometry Geometry; ///< Right-handed, and perpendicular unless the gantry was tilted.
-  LayerPositions Layers;   ///< If the distance of planes changes on purpose.
-  std::int64_t Planes = 0; ///< Also those without a frame.
-  std::vector<std::int64_t> PlaneOf; ///< Of each frame.
+  LayerPositions Layers;   ///< Set if the distance of planes changes on purpose.
+  std::int64_t Planes = 0; ///< Number of planes, also of those without a frame.
+  std::vector<std::int64_t> PlaneOf; ///< Plane of each frame.
   std::int64_t PlanesWithoutFrames = 0;
-  std::string Note;    ///< Of distances that change; empty if they do not.
+  std::string Note;    ///< How the distances of planes change; empty if they do not.
   std::string Problem; ///< Why there is no grid; empty if there is one.
 };
 

@@ -15,8 +15,8 @@ namespace bonedecimate::volume
 {
 struct HeaderUnit
 {
-  std::string Name;         ///< In words; empty: the header names none.
-  double Millimeters = 1.0; ///< Of one; 0: the unit is none of length that is known.
+  std::string Name;         ///< Name in words; empty: the header names no unit.
+  double Millimeters = 1.0; ///< Length of one unit; 0: the unit is no known unit of length.
 };
 
 /// @param text "um", "mm", "centimeter" and the like; empty or "?" is the millimeter.

@@ -31,7 +31,7 @@ LayeredVolume OpenNifti(const std::string& path);
 /// RAS and LAS are turned into LPS; a file that names no anatomical space is taken as it is. Also segmentations of 3D Slicer (.seg.nrrd).
 LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selection);
 
-/// Of several pages. @param spacing mm.
+/// Opens a file with several pages. @param spacing mm.
 LayeredVolume OpenTiff(const std::string& path, const Vector3& spacing);
 
 /// The TIFF files of a folder, a slice each, in the order of the numbers in their names.

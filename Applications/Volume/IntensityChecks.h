@@ -14,13 +14,13 @@
 
 namespace bonedecimate::volume
 {
-/// Why there is none, or an empty text.
+/// Why the values give no surface at that value; empty if they do.
 std::string IntensityProblem(const ValueSurvey& survey, double hounsfield, LabelPolicy policy);
 
-/// Of a mask; empty for other volumes.
+/// Says that the volume is a mask, whose surface has steps; empty for other volumes.
 std::string MaskNote(const ValueSurvey& survey);
 
-/// With a semicolon between two notes.
+/// Appends the note, with a semicolon between two notes.
 void AppendNote(std::string& notes, const std::string& note);
 
 /// mm, of a voxel.

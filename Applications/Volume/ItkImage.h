@@ -19,12 +19,12 @@ namespace bonedecimate::volume
 struct ItkHeader
 {
   std::array<std::int64_t, 3> Size{ { 1, 1, 1 } };
-  int ScalarType = VTK_VOID; ///< Of the voxels in memory.
+  int ScalarType = VTK_VOID; ///< Type of the voxels in memory.
   int Components = 1;        ///< Values a voxel.
   bool HasLayers = false;    ///< The components are a list.
   bool IsText = false;       ///< The voxels are decimal numbers.
   bool HasGeometry = true;   ///< False: ITK accepts no axes but perpendicular ones of this format.
-  VolumeGeometry Geometry;   ///< Of a volume.
+  VolumeGeometry Geometry;   ///< Position and steps, if the file holds a volume.
   std::string Problem;       ///< Why the file is rejected; empty if it is not.
 };
 
@@ -48,10 +48,10 @@ public:
 
   const ItkHeader& GetHeader() const { return this->Header; }
 
-  /// Of a key of the header; empty if it is not there.
+  /// Text of a key of the header; empty if there is no such key.
   std::string GetText(const std::string& key) const;
 
-  /// @return False if they are truncated or damaged.
+  /// @return False if the voxels are truncated or damaged.
   bool ReadVoxels(void* values);
 
   /// Allocates and reads.

@@ -22,10 +22,10 @@ using namespace volume;
 
 namespace
 {
-/// Of the cosine of the angle between two axes that headers round to perpendicular ones: a thousandth, as AreClose().
+/// Largest cosine of the angle between perpendicular axes that a header rounded, as in AreClose().
 constexpr double LargestCosine = 1e-3;
 
-/// That of a vtkImageData counts as perpendicular.
+/// Largest cosine of the angle between axes of a vtkImageData that count as perpendicular.
 constexpr double CosineOfRounding = 1e-6;
 
 double LargestCosineOf(const VolumeGeometry& geometry)
@@ -40,7 +40,8 @@ double LargestCosineOf(const VolumeGeometry& geometry)
   return largest;
 }
 
-/// With the nearest perpendicular axes; itself if they are perpendicular but for the rounding of doubles, or sheared.
+/// The geometry with the nearest perpendicular axes. Axes that are perpendicular but for the
+/// rounding of doubles, or sheared, are returned as they are.
 VolumeGeometry Perpendicular(const VolumeGeometry& geometry)
 {
   const double cosine = LargestCosineOf(geometry);

@@ -25,8 +25,9 @@ std::vector<std::int64_t> DivideLayers(
 /// The counts of a slab are added to those of the slabs before, with which it has a layer in common.
 void AppendCounts(const std::vector<std::int64_t>& ofSlab, std::vector<std::int64_t>& counts);
 
-/// Of each layer of a label map or slab the number of pairs of neighbors with different labels, in it and between it and the next
-/// one: a surface of all labels has about twice as many triangles.
+/// Counts, for each layer of a label map or slab, the pairs of neighbors with different labels, in
+/// the layer and between it and the next one. A surface of all labels has about twice as many
+/// triangles.
 std::vector<std::int64_t> CountLabelChanges(const Volume& slab);
 }
 

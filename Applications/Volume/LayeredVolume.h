@@ -25,8 +25,8 @@ struct VolumeHeader
   vtkSmartPointer<vtkFieldData> Fields = vtkSmartPointer<vtkFieldData>::New(); ///< LabelFields.h.
   bool IsReadWhole = false; ///< The format gives no single layers: its reader holds all voxels.
   std::string Problem;      ///< Why there are no voxels; empty if there are.
-  std::string Note;         ///< As of a Volume.
-  std::string Remark;       ///< The same.
+  std::string Note;         ///< Note of the Volume: what was left aside; may be empty.
+  std::string Remark;       ///< Remark of the Volume; may be empty.
 
   std::size_t BytesInALayer() const;
 };
@@ -40,7 +40,7 @@ struct LayeredVolume
 
 LayeredVolume RejectedLayers(const std::string& problem);
 
-/// Of a volume that was read whole, or rejected.
+/// Layers of a volume that was read whole, or rejected.
 LayeredVolume LayersOf(const Volume& volume);
 }
 

@@ -31,7 +31,7 @@ struct StoredType
   int ScalarType = VTK_VOID;
 };
 
-/// Of the types that the format numbers so and ITK reads.
+/// The type that has this number in the format, if ITK reads it.
 StoredType TypeOf(std::int64_t datatype)
 {
   static const std::map<std::int64_t, StoredType> types{ { 2, { 1, false, VTK_UNSIGNED_CHAR } },

@@ -38,14 +38,14 @@ VolumeGeometry SformOf(const NiftiHeader& header)
   return InMillimeters(geometry, header.Unit());
 }
 
-/// The rule of ITK; its readers go by the qform where the sform is sheared, by a tilted gantry, too.
+/// The rule of ITK, except that ITK takes the qform if the sform is sheared, as by a tilted gantry.
 bool IsBySform(const NiftiHeader& header)
 {
   const bool isOfScanner = header.At<std::int16_t>(254) == 1;
   return HasSform(header) && (isOfScanner || !HasQform(header));
 }
 
-/// Of a file whose position is that of the sform, although its spacing is another one.
+/// Error message if the position is by the sform, but the spacing is another one; empty if not.
 std::string SpacingProblem(const NiftiHeader& header)
 {
   const VolumeGeometry geometry = SformOf(header);

@@ -19,12 +19,13 @@ namespace bonedecimate::volume
 std::string PositionProblem(const NiftiHeader& header, const ItkHeader& read);
 
 /**
- * Of the sform if it is that of the scanner or the only one, as it is, also sheared; otherwise of the qform. mm, LPS.
+ * Position by the sform, also if it is sheared, if it is that of the scanner or the only one;
+ * otherwise by the qform. mm, LPS.
  * @param read What ITK makes of the header.
  */
 VolumeGeometry PositionOf(const NiftiHeader& header, const ItkHeader& read);
 
-/// For the user: that there is none, or that there are two.
+/// Tells the user that there is no position, or that there are two.
 std::string PositionNote(const NiftiHeader& header, const VolumeGeometry& position,
   const std::array<std::int64_t, 3>& size);
 }

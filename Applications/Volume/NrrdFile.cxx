@@ -80,7 +80,8 @@ public:
 
   unsigned int Dimensions() const { return this->Header->dim; }
 
-  /// Of the axes of the space, or of those that have a spacing; one that is not known if they have several.
+  /// Unit of the axes of the space and of those that have a spacing; an unknown one if they have
+  /// several.
   HeaderUnit Unit() const
   {
     std::vector<const char*> texts(
@@ -103,7 +104,7 @@ public:
     return unit;
   }
 
-  /// Of a header without a problem.
+  /// The voxels that the header refers to. Requires a header without a problem.
   DataFile Data(const std::string& path) const
   {
     const std::string name = this->State->dataFNArr->len == 0 ? FilePath(path).filename().string()
@@ -117,7 +118,7 @@ public:
     return data;
   }
 
-  /// Of voxels behind so many bytes of a header in the same file.
+  /// The voxels behind a header of so many bytes in the same file.
   DataFile DataBehind(const std::string& path, std::uint64_t header) const
   {
     return DataFileBeside(
@@ -179,10 +180,10 @@ private:
   bool IsLoaded = false;
 };
 
-/// Of voxels as text, in which the library looks for blanks without end.
+/// Error message for voxels as text. The library would search other text for blanks without end.
 std::string TextProblem(const ItkHeader& header, const DataFile& data)
 {
-  constexpr int longest = 64; // of a number
+  constexpr int longest = 64; // characters of a number
   const std::string problem = SizeProblem(header.Size, 1, data.Bytes, false);
   std::ifstream file(data.Path, std::ios::binary);
   file.seekg(static_cast<std::streamoff>(data.Begin));
@@ -201,7 +202,7 @@ std::string TextProblem(const ItkHeader& header, const DataFile& data)
   return problem;
 }
 
-/// Of a file of the voxels that the library would open, whatever it is.
+/// Rejects a data file that is not regular: the library would open it, whatever it is.
 std::string DataFileProblem(const std::string& path, const NrrdText& text)
 {
   const std::string name = text.DataFile();

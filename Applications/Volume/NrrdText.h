@@ -21,7 +21,7 @@ struct NrrdText
   std::int64_t Lines = 0;          ///< With this line.
   bool IsEnded = false;            ///< By this line.
 
-  /// Of a field in small letters; empty if it is not there.
+  /// Value of the field, whose name is in lower case; empty if there is no such field.
   std::string FieldOf(const std::string& name) const;
 
   /// The name of the file of the voxels; empty if they are in the file itself.
@@ -45,11 +45,11 @@ public:
   NrrdHeaderFile(const NrrdHeaderFile&) = delete;
   NrrdHeaderFile& operator=(const NrrdHeaderFile&) = delete;
 
-  /// Of the file to give to the library.
+  /// Path of the file to give to the library.
   const std::string& GetPath() const { return this->Path; }
   bool IsShortened() const { return !this->Temporary.empty(); }
 
-  /// Why there is none; empty if there is.
+  /// Why there is no such file; empty if there is one.
   const std::string& GetProblem() const { return this->Problem; }
 
 private:

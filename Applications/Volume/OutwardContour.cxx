@@ -109,11 +109,11 @@ public:
 private:
   using Flags = std::vector<unsigned char>;
 
-  /// Of two rows.
+  /// Counts the flags that differ between two rows.
   static std::int64_t CountDifferent(
     const unsigned char* a, const unsigned char* b, std::size_t count)
   {
-    std::uint32_t different = 0; // of 32 bits: vectorized
+    std::uint32_t different = 0; // 32 bits, so that the loop is vectorized
     for (std::size_t i = 0; i < count; ++i)
     {
       different += static_cast<std::uint32_t>(a[i] ^ b[i]);

@@ -24,7 +24,8 @@ namespace bonedecimate::volume
  */
 vtkSmartPointer<vtkPolyData> OutwardContour(const Volume& volume, double value);
 
-/// Of each layer of a volume or slab the number of points in it and between it and the next one. There are about twice as many triangles.
+/// Counts, for each layer of a volume or slab, the points of the contour in it and between it and
+/// the next one. There are about twice as many triangles.
 std::vector<std::int64_t> CountContourPoints(const Volume& slab, double value);
 }
 

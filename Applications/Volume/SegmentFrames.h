@@ -38,13 +38,15 @@ class SegmentFrames
 {
 public:
   /**
-   * @param bytes Of all frames, one after the other: BytesOfPixels() at least.
+   * @param bytes Pixels of all frames, one after the other: BytesOfPixels() at least.
    * @param size Columns and rows.
    */
   SegmentFrames(SegmentPixels type, std::vector<unsigned char> bytes,
     const std::array<std::int64_t, 2>& size, const std::vector<Segment>& segments);
 
-  /// Of a number of planes. @param isChosen Of each segment; empty: all are. @return Why they are no planes of labels; empty if they are.
+  /// Assigns the frames to planes.
+  /// @param isChosen For each segment, whether it is selected; empty: all are.
+  /// @return Why the frames give no planes of labels; empty if they do.
   std::string Arrange(const std::vector<SegmentFrame>& frames, std::int64_t planes,
     const std::vector<bool>& isChosen = {});
 
@@ -57,11 +59,12 @@ private:
 
   SegmentPixels Type;
   std::vector<unsigned char> Bytes;
-  std::size_t Pixels; ///< Of a frame.
+  std::size_t Pixels; ///< Number of pixels of a frame.
   std::vector<std::uint16_t> LabelOfSegment;
   std::vector<bool> IsLabel;
   std::vector<std::size_t> SegmentOfFrame;
-  std::vector<std::vector<std::size_t>> FramesOfPlane; ///< In the order of segments.
+  std::vector<std::vector<std::size_t>>
+    FramesOfPlane; ///< Frames of each plane, in the order of segments.
 };
 }
 

@@ -22,7 +22,7 @@ namespace
 {
 constexpr std::int64_t LargestLabel = 65535;
 
-/// Of one layer: from a value to 1 and the index of its segment.
+/// Maps a value of one layer to the index of its segment plus 1.
 using SegmentOfValue = std::map<std::int64_t, std::size_t>;
 
 /// @return False if layers or labels are not there or are used twice.

@@ -20,11 +20,11 @@
 
 namespace bonedecimate::volume
 {
-/// What the header says about one of its parts.
+/// A segment as the header describes it.
 struct Segment
 {
-  std::int64_t Label = 1; ///< Of its voxels.
-  std::int64_t Layer = 0; ///< Of the file: overlapping segments are in different layers.
+  std::int64_t Label = 1; ///< Value of its voxels.
+  std::int64_t Layer = 0; ///< Layer of the file; overlapping segments are in different layers.
   std::string Name;
   std::array<double, 3> Color{ { 0.5, 0.5, 0.5 } }; ///< Red, green and blue, 0 to 1.
 };
@@ -32,14 +32,14 @@ struct Segment
 /// What does not fit when segments become one label map.
 struct Overlap
 {
-  std::int64_t Voxels = 0;      ///< In more than one segment.
-  std::int64_t Undescribed = 0; ///< Of a value that is that of no segment.
+  std::int64_t Voxels = 0;      ///< Number of voxels in more than one segment.
+  std::int64_t Undescribed = 0; ///< Number of voxels whose value belongs to no segment.
 };
 
-/// Of voxels in more than one segment, for the user; empty if there are none.
+/// Tells the user of voxels in more than one segment; empty if there are none.
 std::string OverlapNote(const Overlap& overlap);
 
-/// Of values that are those of no segment; empty if there are none.
+/// Error message for values that belong to no segment; empty if there are none.
 std::string UndescribedProblem(const Overlap& overlap);
 
 /// @param textOf The text of a key of the header, empty if it is not there: "Segment0_Name" and so on.
@@ -54,7 +54,7 @@ std::vector<Segment> ReadSegments(const std::function<std::string(const std::str
 Volume CombinedLayers(
   const Volume& layers, std::vector<Segment> segments, const SegmentSelection& selection = {});
 
-/// Of each segment whether it is wanted.
+/// For each segment, whether it is selected.
 std::vector<bool> ChosenSegments(
   const std::vector<Segment>& segments, const SegmentSelection& selection);
 

@@ -98,7 +98,7 @@ VolumeGeometry GeometryOf(const Vector3& spacing)
   return geometry;
 }
 
-/// Of a file with one page.
+/// Reads the header of a file with one page.
 ItkHeader SliceHeader(const std::string& path)
 {
   const TiffPages pages = PagesOf(path);

@@ -25,7 +25,7 @@ public:
   TiledTiff(const TiledTiff&) = delete;
   TiledTiff& operator=(const TiledTiff&) = delete;
 
-  /// Of one page: all have to be alike.
+  /// Header of one page; all pages must have the same one.
   const ItkHeader& GetHeader() const { return this->Header; }
 
   /// Reads the next page. @return False if it is truncated or damaged.

@@ -51,13 +51,13 @@ double Dot(const Vector3& a, const Vector3& b);
 Vector3 Cross(const Vector3& a, const Vector3& b);
 double Length(const Vector3& a);
 
-/// Of directions: to a thousandth, which headers round to.
+/// Whether two directions agree to a thousandth, to which headers round.
 bool AreClose(const Vector3& a, const Vector3& b);
 
-/// Of two layers, in steps.
+/// Least distance between neighboring layers, in steps.
 double LeastDistance(const LayerPositions& layers);
 
-/// Negative if the steps mirror the volume.
+/// Determinant of the steps; negative if they mirror the volume.
 double Determinant(const VolumeGeometry& geometry);
 
 /// What is wrong with it (not finite, a step of no length, steps in one plane), or an empty text.

@@ -124,7 +124,7 @@ bool LacksSpacing(const std::string& path, VolumeKind kind)
     (kind == VolumeKind::Nrrd && !NrrdHasSpacing(path));
 }
 
-/// Of a volume whose own steps mean nothing.
+/// Sets the spacing of a volume whose own steps mean nothing.
 LayeredVolume WithSpacing(LayeredVolume volume, const VoxelSpacing& spacing)
 {
   std::array<Vector3, 3>& steps = volume.Header.Geometry.Steps;

@@ -27,7 +27,7 @@ bool IsLabel(Value value)
     number == static_cast<double>(static_cast<int>(number));
 }
 
-/// Of a label.
+/// Index of a label.
 template <typename Value>
 std::size_t IndexOf(Value value)
 {

@@ -37,10 +37,10 @@ public:
   void Add(const Volume& slab);
 
   std::int64_t GetNumberOfNotFinite() const { return this->NotFinite; }
-  double GetLeast() const { return this->Least; } ///< Of the finite ones.
+  double GetLeast() const { return this->Least; } ///< Least of the finite values.
   double GetLargest() const { return this->Largest; }
 
-  /// Of a mask or a label map, ascending, without 0.
+  /// Labels of a mask or a label map, ascending, without 0.
   std::vector<int> GetLabels() const;
   ValueKind GetKind() const;
 
@@ -69,8 +69,8 @@ private:
   double Largest = -std::numeric_limits<double>::infinity();
   bool MayBeLabels = true;
   bool IsSegmentation = false; ///< By its header.
-  std::vector<bool> Occurs;    ///< Of each label.
-  std::size_t Found = 0;       ///< Labels, without 0.
+  std::vector<bool> Occurs;    ///< For each label, whether it occurs.
+  std::size_t Found = 0;       ///< Number of labels that occur, without 0.
   std::vector<Pairs> OfLabel;
 };
 }

@@ -29,7 +29,7 @@ const std::string OriginalCellIds = "OriginalCellIds";
 /// An array like the other, without its values.
 vtkSmartPointer<vtkAbstractArray> EmptyCopy(vtkAbstractArray* from, vtkIdType tuples)
 {
-  // Of its type and not of its class: arrays that compute their values cannot hold others.
+  // Create by type and not by class: arrays that compute their values cannot hold others.
   auto to =
     vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(from->GetDataType()));
   to->SetName(from->GetName());
@@ -85,12 +85,12 @@ void Blend(vtkDataArray* from, const Triangle& corners, const std::array<double,
   }
 }
 
-/// Between opposite normals there is none: then that of the nearest point.
+/// Normalizes an interpolated normal. Between opposite normals it takes that of the nearest point.
 void Normalize(vtkDataArray* from, vtkIdType nearest, vtkIdType point, vtkDataArray* to)
 {
   std::array<double, 3> normal = {};
   to->GetTuple(point, normal.data());
-  // Of libm only sqrt, so that every build and the Python package round alike.
+  // Use only sqrt of libm, so that every build and the Python package round alike.
   const double length =
     std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   if (length < 1e-6)

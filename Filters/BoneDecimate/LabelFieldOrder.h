@@ -18,7 +18,7 @@ class vtkFieldData;
 
 namespace bonedecimate
 {
-/// Of an array of any type; of 64 bits it is exact, which a double is not beyond 2^53.
+/// Label in an array of any type. It is exact for integers of 64 bits, unlike a double above 2^53.
 inline std::int64_t LabelIn(vtkDataArray* array, vtkIdType tuple, int component)
 {
   if (auto* exact = vtkAOSDataArrayTemplate<long long>::FastDownCast(array))

@@ -42,11 +42,12 @@ constexpr const char* OtherLabelName = "OtherLabel";
 constexpr const char* GridPointName = "GridPoint";
 constexpr const char* LabelValuesName = "LabelValues";
 
-/// Adds the arrays but those of names and colors.
+/// Adds all arrays of the label map except those of names and colors.
 void AddLabelMapArrays(const LabelMapSource& source, int threads, vtkPolyData* output);
 
-/// Of a result: its own BoundaryLabels if the input's were not passed (vertices and lines get two zeros), and no GridPoint, because
-/// points of a result are not where they were extracted. Field arrays are passed with all others.
+/// Adds BoundaryLabels to a result if those of the input were not passed; vertices and lines get
+/// two zeros. Removes GridPoint, because points of a result are not where they were extracted.
+/// Field arrays are passed with all others.
 void PassLabelMapArrays(
   const LabelMapSource& source, const std::vector<BoundaryLabels>& ofTriangle, vtkPolyData* output);
 

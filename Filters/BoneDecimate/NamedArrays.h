@@ -27,7 +27,7 @@ namespace bonedecimate
 struct CellLabels
 {
   vtkSmartPointer<vtkDataArray> Array;
-  std::vector<vtkIdType> CellOfTriangle; ///< Of the input.
+  std::vector<vtkIdType> CellOfTriangle; ///< Cell of the input of each triangle.
 
   /// Adds the labels to a surface. @param triangles For each of its triangles one of the input.
   void Fill(const std::vector<Index>& triangles, vtkPolyData* surface) const;
@@ -38,12 +38,12 @@ struct NamedArrays
   ConvertedSurface Converted;
   std::optional<std::vector<double>> Tolerances;  ///< mm, of each point; nothing: none is named.
   std::optional<std::vector<double>> EdgeLengths; ///< mm, of each point; nothing: none is named.
-  std::optional<bonedecimate::Labels> Labels;     ///< Of each triangle; nothing: none is named.
+  std::optional<bonedecimate::Labels> Labels;     ///< Labels of triangles; nothing: none is named.
   vtkDataArray* LabelsOfCells =
     nullptr;           ///< The array of the labels if it belongs to cells, or null.
   std::string Problem; ///< One sentence; empty if the input has what is named.
 
-  /// With these arrays; it refers to this object.
+  /// Inputs of a run with these arrays; they refer to this object.
   RunInputs Inputs() const;
 
   CellLabels LabelsToCopy() const;

@@ -18,7 +18,7 @@ class vtkSelection;
 
 namespace bonedecimate
 {
-/// Of each point.
+/// For each point, whether it is chosen.
 using PointChoice = std::vector<bool>;
 
 /// Whether a value of an array counts.

@@ -54,7 +54,7 @@ public:
     return changes;
   }
 
-  /// The same for a number of a range of its own.
+  /// Sets a number that has a range of its own.
   template <typename Type>
   bool SetNumber(
     vtkObject* filter, const char* property, const NumberRange& range, Type value, Type& member)
@@ -62,7 +62,7 @@ public:
     return this->Set(filter, property, CheckNumber(property, range, value), value, member);
   }
 
-  /// The same for a property that is an option of the table.
+  /// Sets a property that is an option of the table.
   template <typename Type>
   bool SetOption(vtkObject* filter, const char* property, Type value, Type& member)
   {

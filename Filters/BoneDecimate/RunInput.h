@@ -25,7 +25,7 @@ struct vtkBoneDecimate::RunInput
   std::optional<std::vector<double>>
     EdgeLengths; ///< mm, of each point; nothing: none is named, or the array does not suit.
   std::optional<bonedecimate::Labels>
-    Labels; ///< Of each triangle; nothing: the array does not suit.
+    Labels; ///< Labels of the triangles; nothing: the array does not suit.
   bonedecimate::LabelMapOfRun Map;
   std::shared_ptr<bonedecimate::RegionCache> Prepared; ///< Null: nothing is to be kept.
   bonedecimate::RunInputs Inputs;

@@ -39,7 +39,7 @@ struct vtkBoneDecimateAlgorithm::RunState
       bonedecimate::SetOption(changed, *bonedecimate::FindOption(name), value));
   }
 
-  /// The same from text.
+  /// Sets an option from text.
   void SetFromText(
     vtkBoneDecimateAlgorithm* filter, const std::string& name, const std::string& text)
   {

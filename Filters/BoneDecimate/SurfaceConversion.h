@@ -53,7 +53,7 @@ void FillOutput(const Result& result, const ConvertedSurface& converted, const O
 struct ReportArrays
 {
   std::string Json;   ///< Name of the array of one string.
-  std::string Prefix; ///< Of the names of the arrays of the key figures.
+  std::string Prefix; ///< Prefix of the array names of the key figures.
   std::vector<std::string> KeyFigures;
 };
 const ReportArrays& ArraysOfReport();      ///< BoneDecimateReport, bonedecimate.*

@@ -63,7 +63,8 @@ public:
 
   ///@{
   /**
-   * Of the last update: caps, their triangles, their area in mm^2, the loops they close, and boundary loops that stay open.
+   * Results of the last update: number of caps, of their triangles, their area in mm^2, the number
+   * of loops that they close, and of boundary loops that stay open.
    */
   vtkGetMacro(NumberOfCaps, vtkIdType);
   vtkGetMacro(NumberOfCapTriangles, vtkIdType);

@@ -76,7 +76,7 @@ public:
    */
   void SetReferenceData(vtkPolyData* reference);
 
-  /// The same as a connection, to the input port 1. Default none.
+  /// Sets the original surface as a connection, to the input port 1. Default none.
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
 
   ///@{
@@ -179,10 +179,11 @@ protected:
   void SetOriginalOfPart(
     vtkPolyData* original, const EdgesOfPart& cuts, const EdgesOfPart& originalCuts);
 
-  /// Of each cell, whether a run leaves it out because its triangles have no area.
+  /// For each cell, whether a run leaves it out because its triangles have no area.
   std::vector<bool> CellsWithoutArea(vtkPolyData* surface) const;
 
-  /// Of each cell, whether one of its triangles may be within the distance of the triangles of the other surface.
+  /// For each cell, whether one of its triangles may be within the distance of the triangles of the
+  /// other surface.
   /// @param distance mm, above 0.
   std::vector<bool> CellsNear(vtkPolyData* surface, vtkPolyData* others, double distance) const;
 

@@ -71,7 +71,7 @@ public:
   /// The voxels of the result are compared with those of the map. A surface with another grid is an error. Default none.
   void SetLabelMapData(vtkImageData* map);
 
-  /// The same as a connection, to the last input port. Default none.
+  /// Sets the label map as a connection, to the last input port. Default none.
   void SetLabelMapConnection(vtkAlgorithmOutput* map);
 
   ///@{
@@ -94,7 +94,7 @@ public:
   /// Whether the largest error is proved: one of ProofStatuses; NO_PROOF if there is none, and before the first update.
   int GetProofStatus() const;
 
-  /// The same in one word: "not_requested", "proved", "violated" or "undecided".
+  /// The status of the proof in one word: "not_requested", "proved", "violated" or "undecided".
   std::string GetProofStatusAsString() const;
 
   /// Largest distance between the input and the result that was found by samples, in both directions, mm: a lower bound of the

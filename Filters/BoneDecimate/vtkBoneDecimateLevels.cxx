@@ -39,8 +39,8 @@ struct vtkBoneDecimateLevels::Internals
   vtkMTimeType MapTime = 0;
   vtkWeakPointer<vtkPolyData> Reference; // null: none
   vtkMTimeType ReferenceTime = 0;
-  bonedecimate::NamedArrays Arrays;                // the input, until the levels are there
-  bonedecimate::ConvertedSurface ReferenceSurface; // the same
+  bonedecimate::NamedArrays Arrays; // arrays of the input, until the levels are there
+  bonedecimate::ConvertedSurface ReferenceSurface; // the reference, until the levels are there
   bonedecimate::CellLabels Labels;
   bonedecimate::LabelMapOfRun LabelMap;
   vtkSmartPointer<vtkUnsignedCharArray> InputLog; // null: a run

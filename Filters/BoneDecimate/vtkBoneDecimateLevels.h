@@ -71,7 +71,7 @@ public:
    */
   void SetReferenceData(vtkPolyData* reference);
 
-  /// The same as a connection, to the input port 2. Default none.
+  /// Sets the first surface as a connection, to the input port 2. Default none.
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
 
   /**

@@ -21,7 +21,7 @@ struct vtkBoneDiagnostics::Internals
   std::vector<bonedecimate::LeftOutShape> LeftOut;
   bonedecimate::RejectedValues Rejected;
 
-  /// One that says nothing where there is no such number.
+  /// The diagnostic of that index; null if there is none.
   const bonedecimate::Diagnostic* At(int diagnostic) const
   {
     return diagnostic >= 0 && diagnostic < static_cast<int>(this->Diagnostics.size())
@@ -29,7 +29,7 @@ struct vtkBoneDiagnostics::Internals
       : nullptr;
   }
 
-  /// The same.
+  /// The entry of that index; an empty one if there is none.
   const bonedecimate::LeftOut& LeftOutAt(int entry) const
   {
     static const bonedecimate::LeftOut nothing = {};

@@ -70,7 +70,7 @@ public:
    */
   void SetReferenceData(vtkPolyData* reference);
 
-  /// The same as a connection, to the input port 1. Default none.
+  /// Sets the first surface as a connection, to the input port 1. Default none.
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
 
   /**

@@ -75,7 +75,7 @@ vtkSmartPointer<vtkPolyData> Part(vtkPolyData* surface, const std::vector<bool>&
   return part;
 }
 
-/// Of points of cells that may not change.
+/// Adds an array that marks the points of cells that may not change.
 void MarkRim(vtkPolyData* surface, const std::vector<bool>& mayChange)
 {
   vtkNew<vtkUnsignedCharArray> rim;
@@ -93,7 +93,7 @@ void MarkRim(vtkPolyData* surface, const std::vector<bool>& mayChange)
   surface->GetPointData()->AddArray(rim);
 }
 
-/// Of each point the first one with its coordinates.
+/// For each point, the first one with its coordinates.
 std::vector<vtkIdType> FirstOfEqual(vtkPolyData* surface)
 {
   std::map<Position, vtkIdType> known;

@@ -27,10 +27,10 @@ struct StripParts
   vtkSmartPointer<vtkPolyData> Rest; ///< Everything else. Both have the arrays of the surface.
 };
 
-/// Of each cell, whether it is one of those or within a few rings of triangles around them.
+/// For each cell, whether it is marked or within a few rings of triangles around a marked one.
 std::vector<bool> RingsAround(vtkPolyData* surface, std::vector<bool> cells);
 
-/// Of each cell, whether one of its corners is at such a position.
+/// For each cell, whether one of its corners is at one of the positions.
 std::vector<bool> CellsAt(vtkPolyData* surface, const Positions& positions);
 
 /// @param mayChange Cells of the strip that are not at its rim.  @param around Cells that it has, too, as its rim.

@@ -16,15 +16,15 @@ class vtkPolyData;
 
 namespace bonedecimate
 {
-/// On that process the pieces of all processes, one after the other in their order; null on the others.
+/// The pieces of all processes on that process, one after the other in their order; null on others.
 vtkSmartPointer<vtkPolyData> GatheredAt(
   int process, vtkPolyData* piece, vtkMultiProcessController* controller);
 
-/// The same on every process.
+/// The pieces of all processes on every process, one after the other in their order.
 vtkSmartPointer<vtkPolyData> GatheredEverywhere(
   vtkPolyData* piece, vtkMultiProcessController* controller);
 
-/// Of each process its numbers, the same on every process.
+/// The numbers of each process, on every process.
 std::vector<std::vector<double>> AllNumbers(
   const std::vector<double>& own, vtkMultiProcessController* controller);
 }

@@ -39,7 +39,7 @@ public:
     }
   }
 
-  /// Of all processes.
+  /// Reduces the ranges over all processes.
   void Reduce(vtkMultiProcessController* controller)
   {
     const bool isEmpty = this->Low.empty();

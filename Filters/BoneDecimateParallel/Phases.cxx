@@ -167,7 +167,7 @@ void vtkPBoneDecimate::MeasureAnew(vtkPolyData* input, vtkPolyData* rest, vtkPol
   }
   else
   {
-    // Those of phase 2 are distances to what phase 1 left, not to the input.
+    // Errors of phase 2 are distances to the result of phase 1, not to the input.
     for (vtkPolyData* surface : { rest, reduced })
     {
       surface->GetPointData()->RemoveArray(this->GetDistanceArrayName().c_str());
@@ -201,7 +201,7 @@ void vtkPBoneDecimate::FillInputCopy(
 }
 
 //------------------------------------------------------------------------------
-/// Of the whole surface, the same on every process.
+/// Reports on the whole surface, the same on every process.
 void vtkPBoneDecimate::Report(const Plan& plan, vtkPolyData* output)
 {
   const double own = static_cast<double>(output->GetNumberOfPolys());

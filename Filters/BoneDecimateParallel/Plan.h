@@ -28,8 +28,8 @@ struct vtkPBoneDecimate::Plan
 
   bonedecimate::Positions
     Shared;                   ///< Once points are smoothed: where those of this process are then.
-  double SharedPoints = 0.0;  ///< Of all processes, each once.
-  std::vector<char> IsShared; ///< Of each point of this process.
+  double SharedPoints = 0.0;  ///< Number of shared points of all processes, each once.
+  std::vector<char> IsShared; ///< For each point of this process, whether it is shared.
   std::vector<double>
     SmoothedPoints; ///< mm, three numbers of each point of this process; empty: not smoothed.
   bool GuardsVoxels = false; ///< Whether edits may not change a voxel.
@@ -39,7 +39,7 @@ struct vtkPBoneDecimate::Plan
   vtkSmartPointer<vtkPolyData> Unpruned; ///< The input of this process with all components.
   double Total = 0.0;                    ///< Triangles of all processes.
   double Target = 0.0;                   ///< Triangles to reach, of all processes; 0: none.
-  double TargetHere = 0.0;               ///< Of this process in phase 1.
+  double TargetHere = 0.0;               ///< Triangles of this process to reach in phase 1.
   double Error = 0.0;                    ///< mm, the largest allowed; 0: none.
   bool ProvesError = false;
   vtkSmartPointer<vtkPolyData>
@@ -50,16 +50,16 @@ struct vtkPBoneDecimate::Plan
   double StripsAfter = 0.0;
   std::vector<double> Figures; ///< FiguresOfPart() of this process.
   std::map<std::string, double>
-    Counts; ///< Of edits of all processes and phases, by their names in the report.
+    Counts; ///< Counts of edits of all processes and phases, by names in the report.
 
-  /// mm, that phase 1 keeps from the neighbors.
+  /// Distance that phase 1 keeps from the neighbors, mm.
   double NeighborDistance() const { return ErrorsOfNeighbors * this->Error; }
 };
 
 /// Where parts are near each other, after phase 1.
 struct vtkPBoneDecimate::Strips
 {
-  vtkSmartPointer<vtkPolyData> Own;      ///< Of this process, with marks (BoundaryStrips.h).
+  vtkSmartPointer<vtkPolyData> Own;      ///< Strips of this process, with marks (BoundaryStrips.h).
   vtkSmartPointer<vtkPolyData> Rest;     ///< Everything else of this process.
   vtkSmartPointer<vtkPolyData> Original; ///< With ProvesError: what all strips are proved against.
 };

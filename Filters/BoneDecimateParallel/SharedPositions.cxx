@@ -38,7 +38,7 @@ struct EdgeOfCell
   }
 };
 
-/// Those of an edge follow each other.
+/// The edges of all cells, sorted: equal edges follow each other.
 std::vector<EdgeOfCell> EdgesOf(vtkPolyData* surface)
 {
   std::vector<EdgeOfCell> edges;

@@ -86,7 +86,7 @@ std::vector<double> AllBounds(vtkPolyData* surface, vtkMultiProcessController* c
   return all;
 }
 
-/// Of each cell, whether its box is within the distance of that one.
+/// For each cell, whether its bounding box is within the distance of the box.
 std::vector<bool> CellsNearBox(vtkPolyData* surface, vtkBoundingBox box, double distance)
 {
   std::vector<bool> are(static_cast<std::size_t>(surface->GetNumberOfCells()), false);
@@ -134,7 +134,7 @@ void vtkPBoneDecimate::FindNeighbors(vtkPolyData* input, Plan& plan)
 }
 
 //------------------------------------------------------------------------------
-/// Of each cell of the input or of what phase 1 makes of it, whether phase 1 leaves it as it is.
+/// For each cell of the input or of the result of phase 1, whether phase 1 leaves it unchanged.
 std::vector<bool> vtkPBoneDecimate::UnchangedCells(vtkPolyData* surface, const Plan& plan) const
 {
   std::vector<bool> cells = bonedecimate::CellsAt(surface, plan.Shared);

@@ -26,7 +26,7 @@ extern const char* const BlockArrayName;
  */
 vtkSmartPointer<vtkPolyData> WholeInput(vtkDataObject* input);
 
-/// Of all parts: polygons and strips with a point id that no point has.
+/// Number of polygons and strips of all parts with a point id that no point has.
 vtkIdType CellsOutOfRange(vtkDataObject* input);
 
 /// The polydata, or those in a composite data set, that have cells.

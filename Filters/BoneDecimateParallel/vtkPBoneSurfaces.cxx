@@ -30,7 +30,7 @@ namespace
 {
 using Extent = std::array<int, 6>;
 
-/// Of all pieces.
+/// The extent that encloses all pieces.
 Extent UnionOf(const std::vector<vtkImageData*>& pieces)
 {
   Extent all;

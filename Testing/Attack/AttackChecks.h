@@ -33,19 +33,19 @@ struct Totals
   std::int64_t TrianglesIn = 0;
   std::int64_t TrianglesOut = 0;
   double LargestRatio = 0.0; // of the distance to the allowed error
-  // Of runs on label maps:
+  // Counts of runs on label maps:
   std::int64_t Smoothed = 0;
   std::int64_t Guarded = 0;
   std::int64_t ChangedVoxels = 0; // in runs without the guard
   std::int64_t ExactlyCounted = 0;
-  // Of runs on near parts:
+  // Counts of runs on near parts:
   std::int64_t RingPairs = 0;
   std::int64_t LinkedPairs = 0;
   std::int64_t ComponentPairs = 0;
   std::int64_t Views = 0;
 };
 
-/// Counts a run. Its input after cleaning; none if it was rejected.
+/// Counts a run. Returns its input after cleaning; none if it was rejected.
 std::optional<CleanSurface> CountRun(const Surface& victim, const Result& result, Totals& totals);
 
 /// The input of the decimation after cleaning: equal points merged, triangles without area dropped.

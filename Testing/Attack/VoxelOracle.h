@@ -18,7 +18,7 @@ namespace bonedecimate::testsupport
 struct LabeledTriangles
 {
   const bonedecimate::Surface& Surface;
-  const std::vector<BoundaryLabels>& Labels; ///< Of each triangle.
+  const std::vector<BoundaryLabels>& Labels; ///< Labels on both sides of each triangle.
 };
 
 /**

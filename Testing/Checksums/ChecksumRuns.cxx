@@ -56,7 +56,7 @@ public:
     }
   }
 
-  /// The same bytes where sizes have 32 bits.
+  /// Adds the same bytes on systems whose sizes have 32 bits.
   void AddSize(std::size_t size) { this->Add(static_cast<std::uint64_t>(size)); }
 
   std::uint64_t Sum() const { return this->Value; }

@@ -170,7 +170,8 @@ RationalPoint RationalOf(const FixedPoint& p)
     Rational(p[2], UnitsOfVoxel) };
 }
 
-/// Of the center at height 0 of a column, displaced; the powers of e are far less than all differences of rational numbers.
+/// The center of a column at height 0, displaced; the powers of e are far less than all differences
+/// of rational numbers.
 RationalPoint DisplacedCenter(const Column& column)
 {
   const Rational e(1, boost::multiprecision::cpp_int(1) << 400);

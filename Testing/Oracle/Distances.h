@@ -21,8 +21,8 @@ struct Distances
   double PointAverage = 0.0;
   double PointRootMeanSquare = 0.0;
   double PointMaximum = 0.0;
-  double PointSecond = 0.0; ///< The second largest.
-  /// Of the area samples: the distance that 0, 1, ... 100 % of the area do not exceed.
+  double PointSecond = 0.0; ///< The second largest distance of a point.
+  /// Distances of the area samples that 0, 1, ... 100 % of the area do not exceed.
   std::vector<double> Percentiles;
 };
 

@@ -27,7 +27,7 @@ struct Shape
     SmallAngles{}; ///< Triangles with an angle below 10, 20 and 30 degrees.
 };
 
-/// The same surface with exactly equal points made one, so that a repeated point does not make a boundary.
+/// Merges exactly equal points, so that a repeated point does not make a boundary.
 Triangles Welded(const Triangles& triangles);
 
 /// @param welded Triangles with two equal corners count as degenerate and nowhere else.

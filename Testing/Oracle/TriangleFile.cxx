@@ -16,9 +16,9 @@ struct Layout
 {
   std::size_t Points = 0;
   std::size_t Triangles = 0;
-  std::size_t PointBytes = 0; ///< Of one vertex, further properties included.
+  std::size_t PointBytes = 0; ///< Size of a vertex, further properties included.
   bool IsDouble = false;
-  std::size_t CountBytes = 1; ///< Of the number before the corners of a face.
+  std::size_t CountBytes = 1; ///< Size of the number before the corners of a face.
 };
 
 std::size_t BytesOf(const std::string& type)

@@ -35,14 +35,14 @@ Index BruteNearestPoint(const Surface& surface, const Vector3& p);
 /// Counts by plain maps over points and edges.
 struct Topology
 {
-  std::int64_t Points = 0; ///< Used by a triangle.
+  std::int64_t Points = 0; ///< Points that a triangle uses.
   std::int64_t Edges = 0;
   std::int64_t Faces = 0;
-  std::int64_t Components = 0;        ///< Connected by shared points.
-  std::int64_t BoundaryEdges = 0;     ///< Of one triangle.
-  std::int64_t NonManifoldEdges = 0;  ///< Of three or more triangles.
-  std::int64_t InconsistentEdges = 0; ///< Two triangles that run along it in the same direction.
-  std::int64_t NonManifoldPoints = 0; ///< Whose triangles are not one fan.
+  std::int64_t Components = 0;        ///< Components, connected by shared points.
+  std::int64_t BoundaryEdges = 0;     ///< Edges of one triangle.
+  std::int64_t NonManifoldEdges = 0;  ///< Edges of three or more triangles.
+  std::int64_t InconsistentEdges = 0; ///< Edges along which two triangles run the same way.
+  std::int64_t NonManifoldPoints = 0; ///< Points whose triangles are not one fan.
   std::int64_t EulerNumber = 0;       ///< Points - edges + faces.
 
   bool operator==(const Topology& other) const;

@@ -19,7 +19,8 @@ using IsInsideOf = std::function<bool(const Vector3& p)>;
 IsInsideOf BallShape(double radius);
 IsInsideOf TorusShape(double ring, double tube);
 IsInsideOf BoxShape(const Vector3& half);
-/// The same, turned about an oblique axis and shifted by a part of a voxel, so that grid planes have no special position.
+/// The shape, turned about an oblique axis and shifted by a part of a voxel, so that grid planes
+/// have no special position.
 IsInsideOf Oblique(IsInsideOf shape);
 
 struct BinarySurface
@@ -40,7 +41,7 @@ std::int64_t CountChangedVoxels(const BinarySurface& binary, const Surface& surf
 struct BlockComplex
 {
   bonedecimate::Surface Surface;
-  std::vector<BoundaryLabels> Labels; ///< Of each triangle.
+  std::vector<BoundaryLabels> Labels; ///< Labels on both sides of each triangle.
 };
 BlockComplex BlocksOf(const std::array<Index, 3>& size,
   const std::function<Index(const std::array<Index, 3>& voxel)>& labelOf);

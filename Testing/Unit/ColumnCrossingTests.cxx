@@ -83,7 +83,7 @@ ColumnCrossing Expected(const FixedTriangle& fixed, const Column& column)
   return { sign, below };
 }
 
-/// Of every column in and around the triangle.
+/// Expects exact crossings of every column in and around the triangle.
 void ExpectExact(const FixedTriangle& corners)
 {
   const FixedBox box = BoxOf(corners);

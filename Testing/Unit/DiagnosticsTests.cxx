@@ -15,7 +15,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// Of that kind; count 0 if there is none.
+/// The diagnostic of that kind; its count is 0 if there is none.
 Diagnostic Found(const Surface& surface, DiagnosticKind kind)
 {
   for (Diagnostic& diagnostic : Diagnose(surface, 1))

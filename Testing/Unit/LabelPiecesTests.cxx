@@ -74,7 +74,7 @@ std::set<Voxel> PieceAt(const LabelMap& map, const Voxel& first, int reach)
   return piece;
 }
 
-/// Of all voxels of a label, at their least voxels.
+/// The pieces of all voxels of a label, by the least voxel of each.
 std::map<Voxel, std::set<Voxel>> PiecesOf(const LabelMap& map, int label, int reach)
 {
   std::map<Voxel, std::set<Voxel>> pieces;

@@ -97,7 +97,7 @@ inline Result RunWith(const Labels& labels, const Surface& input, const Options&
   return Decimate(input, options, {}, { false, true, nullptr, nullptr, &labels });
 }
 
-/// Of each output triangle.
+/// The label of each output triangle.
 inline std::vector<Index> LabelsAfter(const Labels& labels, const Result& result)
 {
   std::vector<Index> after;

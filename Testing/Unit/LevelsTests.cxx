@@ -27,7 +27,7 @@ public:
   {
   }
 
-  /// Number of rejected collapses.
+  /// Applies collapses of the log up to that number. Returns how many were rejected.
   int GoTo(Index collapses)
   {
     int rejected = 0;
@@ -44,7 +44,7 @@ public:
     return rejected;
   }
 
-  /// Of the mesh as it is, in its order.
+  /// The surface of the mesh after the collapses so far, in the order of the mesh.
   Surface Now() const
   {
     const Surface all = SurfaceOf(this->MeshEditor.Mesh());

@@ -168,7 +168,7 @@ Surface BowTie()
   }
   for (std::size_t t = tie.Triangles.size() / 2; t < tie.Triangles.size(); ++t)
   {
-    std::swap(tie.Triangles[t][1], tie.Triangles[t][2]); // the same side up
+    std::swap(tie.Triangles[t][1], tie.Triangles[t][2]); // both halves have the same side up
   }
   return tie;
 }

@@ -70,7 +70,7 @@ void ExpectDisk(const Points& polygon, const std::vector<Triangle>& triangles)
   EXPECT_NEAR((area - AreaOf(polygon)).norm(), 0.0, 1e-9 * (1.0 + area.norm()));
 }
 
-/// Of a simple polygon in a plane: no triangle is turned, so that none overlap.
+/// Requires a simple polygon in a plane, in which no triangle is turned and so none overlap.
 void ExpectNoOverlap(const Points& polygon, const std::vector<Triangle>& triangles)
 {
   ExpectDisk(polygon, triangles);

@@ -43,7 +43,7 @@ inline Result Stroke(
   return Decimate(input, options, {}, inputs);
 }
 
-/// The same through a run of the whole surface.
+/// The stroke as a run of the whole surface.
 inline Result StrokeOfWhole(const Surface& input, Options options, const Map& map)
 {
   options.DiagnoseInput = true;

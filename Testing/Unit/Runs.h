@@ -103,7 +103,7 @@ inline bool CanBeCertified(const Surface& input)
   return report.Status == InputStatus::Good && report.Cleaning.DroppedTriangles == 0;
 }
 
-/// Those of one thread from more.
+/// Expects the bytes of one thread also from several threads.
 inline void ExpectTheSameBytesForAnyNumberOfThreads(
   const Surface& input, Options options, const std::vector<double>* tolerances = nullptr)
 {

@@ -70,7 +70,7 @@ struct Accuracy
   double Angle = 0.0;    // mean of 1 - cosine
 };
 
-/// Of the triangles near the edges of the cube, by area.
+/// Accuracy of the triangles near the edges of the cube, weighted by area.
 Accuracy NearEdges(const Surface& surface)
 {
   Accuracy sum;

@@ -13,7 +13,7 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// The same interface implemented by a sorted set.
+/// The interface of VertexQueue, implemented by a sorted set.
 class SlowQueue
 {
 public:

@@ -41,7 +41,7 @@ Scan ScanOf(const std::array<std::size_t, 3>& size, const VolumeGeometry& geomet
 /// Voxels of 0.8 x 0.9 x 1.3 mm along x, y and z.
 Scan UprightScan();
 
-/// The same voxels turned about an axis that is none of the three.
+/// Voxels of the same size, turned about an axis that is none of the three.
 Scan TiltedScan();
 
 /// Tilted, the second axis running backwards: a left-handed grid.

@@ -83,7 +83,7 @@ void CheckAnnouncedXml(const std::string& path, const std::string& head, double 
   }
 }
 
-/// Of every piece; nothing where a piece has its points in binary.
+/// Reads the points of every piece; stops at a piece that has its points in binary.
 void ReadTextPoints(const std::string& path, std::uintmax_t size, CoordinateCollector& points)
 {
   const std::string text = ReadPart(path, 0, static_cast<std::size_t>(size));

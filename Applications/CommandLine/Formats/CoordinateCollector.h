@@ -26,7 +26,7 @@ public:
 
   vtkIdType CountPoints() const;
 
-  /// Of single precision if every coordinate is exactly a single number, else of double precision.
+  /// Points in single precision if that holds every coordinate exactly, else in double precision.
   vtkSmartPointer<vtkPoints> MakePoints();
 
 private:

@@ -22,10 +22,10 @@ namespace bonedecimate
 /// "RAS", "LPS", or empty: the text has no "SPACE=" of them.
 std::string FrameIn(std::string_view text);
 
-/// Of the field array; empty if there is none, or it is neither RAS nor LPS.
+/// Frame that the field array names; empty if there is none, or it is neither RAS nor LPS.
 std::string FrameOf(vtkPolyData* surface);
 
-/// Empty: no change.
+/// Writes the field array; an empty frame changes nothing.
 void SetFrame(const std::string& frame, vtkPolyData* surface);
 
 /// A line for a header or comment, as 3D Slicer writes it: "3D Slicer output. SPACE=RAS".

@@ -191,7 +191,7 @@ public:
   }
 
 private:
-  /// Of a new point.
+  /// Adds the values of a new point.
   void AddValues(const FilePart& part, std::size_t point)
   {
     for (const vtkSmartPointer<vtkDataArray>& array : this->Arrays)

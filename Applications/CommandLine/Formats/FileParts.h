@@ -36,11 +36,11 @@ struct PartArray
 
 struct FilePart
 {
-  std::optional<NamedLabel> Label;    ///< None: of a surface without labels.
+  std::optional<NamedLabel> Label;    ///< None: the surface has no labels.
   std::vector<std::uint32_t> Corners; ///< Three for each triangle, indices of Points.
   std::vector<std::array<double, 3>> Points;
   std::vector<vtkIdType>
-    OriginalPoints; ///< Of the surface that is written; empty in a part that was read.
+    OriginalPoints; ///< Points of the written surface; empty in a part that was read.
   std::map<std::string, PartArray> Arrays; ///< By name; empty in a part that is written.
 };
 

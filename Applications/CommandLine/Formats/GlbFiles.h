@@ -40,7 +40,7 @@ constexpr std::uint32_t BinaryChunk = 0x004E4942;
 constexpr const char* MeshoptExtension = "EXT_meshopt_compression";
 constexpr const char* KhronosMeshoptExtension = "KHR_meshopt_compression"; // its later name
 constexpr const char* QuantizationExtension = "KHR_mesh_quantization";
-/// Of node 0, columns: x, y and z of the surface in glTF, where y is up and lengths are meters.
+/// Matrix of node 0, by columns: axes of the surface in glTF, where y is up and lengths are meters.
 constexpr std::array<double, 16> FrameMatrix = { 0.001, 0, 0, 0, 0, 0, -0.001, 0, 0, 0.001, 0, 0, 0,
   0, 0, 1 };
 /// @}

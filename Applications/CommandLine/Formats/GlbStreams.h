@@ -24,7 +24,7 @@ namespace bonedecimate
 struct GlbAttribute
 {
   std::string Name;      ///< POSITION and so on.
-  int ComponentType = 0; ///< Of glTF.
+  int ComponentType = 0; ///< Component type of glTF.
   int Components = 3;
   bool IsNormalized = false;
   PointStream Stream;

@@ -128,7 +128,7 @@ private:
     return this->ParentlessNodes();
   }
 
-  /// Of a document without a scene.
+  /// Nodes without a parent: the roots of a document without a scene.
   const Json& ParentlessNodes()
   {
     this->NoNodes = Json::array();

@@ -43,8 +43,8 @@ struct GltfScene
   std::vector<GltfInstance> Instances;
   bool IsInMillimeters =
     false; ///< Written by this program: below the node of its frame (GlbFiles.h).
-  std::int64_t HiddenNodes = 0;      ///< Marked as not visible.
-  std::int64_t UnusedMeshes = 0;     ///< Of no node; not counted if there are hidden ones.
+  std::int64_t HiddenNodes = 0;      ///< Nodes that are marked as not visible.
+  std::int64_t UnusedMeshes = 0;     ///< Meshes without a node; 0 if there are hidden nodes.
   std::vector<std::string> Warnings; ///< What the scene leaves aside, a sentence each.
 };
 

@@ -37,10 +37,10 @@ struct ObjCells
   void Add(const std::vector<ObjCorner>& corners, const ObjState& state);
 
   vtkNew<vtkCellArray> Vertices;
-  /// Of each corner; empty as long as no corner names one.
+  /// Indices of each corner; empty as long as no corner names one.
   std::vector<vtkIdType> TextureCoordinates;
   std::vector<vtkIdType> Normals;
-  std::vector<ObjState> States; ///< Of each cell; empty as long as all of them are the default.
+  std::vector<ObjState> States; ///< State of each cell; empty as long as all are the default.
 };
 
 /// Everything that a file holds, its indices checked.

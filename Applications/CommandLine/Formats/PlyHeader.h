@@ -19,9 +19,9 @@ namespace bonedecimate
 struct PlyProperty
 {
   std::string Name;
-  int Type = 0;           ///< VTK_FLOAT and so on: of the value, or of one entry of a list.
-  int CountType = 0;      ///< Of a list's count; VTK_VOID if it is no list.
-  bool IsCorners = false; ///< The list of a face's vertices.
+  int Type = 0;           ///< Type of the value, or of one entry of a list: VTK_FLOAT and so on.
+  int CountType = 0;      ///< Type of the count of a list; VTK_VOID if it is no list.
+  bool IsCorners = false; ///< Whether it is the list of a face's vertices.
 
   bool IsList() const;
 };
@@ -32,7 +32,7 @@ struct PlyElement
   std::int64_t Count = 0;
   std::vector<PlyProperty> Properties;
 
-  /// Of the first property of that name; the number of properties if there is none.
+  /// Index of the first property of that name; the number of properties if there is none.
   std::size_t IndexOf(const std::string& name) const;
 
   /// Whether there is a property of that name that is no list.

@@ -31,7 +31,7 @@ double LargestGridRounding(double step);
 /// The surface with its points rounded to the grid.
 vtkSmartPointer<vtkPolyData> RoundedToGrid(vtkPolyData* surface, double step);
 
-/// Of points that are on a grid.
+/// The grid of points that were rounded.
 struct PointGrid
 {
   double Step = 1.0; ///< mm

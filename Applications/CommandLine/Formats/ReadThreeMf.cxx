@@ -207,7 +207,7 @@ private:
     this->Parts.push_back(std::move(placed));
   }
 
-  /// The same words about a single object.
+  /// Singular of the words about several objects.
   static std::string OneOf(const std::string& what)
   {
     const std::string many = "that are";

@@ -35,10 +35,10 @@ struct ThreeMfTransform
 /// An object that a component or a build item names.
 struct ThreeMfReference
 {
-  std::string Path; ///< Of the part that has the object; empty: the same part.
+  std::string Path; ///< Path of the part that has the object; empty: the same part.
   std::string Object;
   ThreeMfTransform Transform;
-  bool IsPrintable = true; ///< Of a build item.
+  bool IsPrintable = true; ///< Whether a build item is printable.
 };
 
 struct ThreeMfObject

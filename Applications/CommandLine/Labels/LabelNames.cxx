@@ -50,7 +50,7 @@ void Complete(LabelTable& known, const LabelTable& more)
   known.Regions.insert(more.Regions.begin(), more.Regions.end());
 }
 
-/// Of the map itself.
+/// Takes the names in the header of the map itself.
 void TakeHeader(const std::string& path, vtkFieldData* fields, LabelNames& names)
 {
   names.Table.Labels = ReadNamedLabels(fields);

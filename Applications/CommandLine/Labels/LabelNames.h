@@ -24,18 +24,19 @@ LabelTable TableOfArguments(const SegmentArguments& arguments);
 struct LabelNames
 {
   LabelTable Table;
-  bool AreSegments = false; ///< Each is a part of the map, so that one without a voxel is missed.
+  bool AreSegments = false; ///< Labels are segments of the map: one without a voxel is reported.
   std::string Note;         ///< Where names are from, if the map does not hold them.
   std::vector<std::string> Warnings; ///< Tables that were not taken.
 
-  /// Of a label; empty if it has none.
+  /// Name and color of a label; null if it has none.
   const NamedLabel* Find(std::int64_t label) const;
 };
 
 /**
- * Those of the header count first: segments of a segmentation, or a table as TotalSegmentator writes it. Labels that it does not name get
- * the names of --label-names. A file beside the map counts if neither names anything: FindTableBeside().
- * @param fields Of the map.
+ * Names in the header count first: segments of a segmentation, or a table as TotalSegmentator
+ * writes it. Labels without a name there get the names of --label-names. If neither names anything,
+ * a file beside the map counts: FindTableBeside().
+ * @param fields Field data of the map.
  * @throws Failure(ExitCode::InputRejected) if --label-names contradicts the header.
  */
 LabelNames FindLabelNames(

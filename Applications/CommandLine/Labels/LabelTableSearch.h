@@ -15,13 +15,13 @@ namespace bonedecimate
 {
 struct FoundTable
 {
-  std::string Path; ///< Of the table; empty: there is none.
+  std::string Path; ///< Path of the table; empty: there is none.
   LabelTable Table;
   std::string Warning; ///< Which file was not taken, and why; may be empty.
 };
 
 /**
- * Of NAME.nii.gz, the first of these steps that finds a table:
+ * Table for the label map NAME.nii.gz, by the first of these steps that finds one:
  *
  *     NAME.tsv, NAME.csv, NAME.ctbl, NAME_ColorTable.ctbl, NAME.label, NAME.txt
  *     a *_dseg.tsv whose words between underscores are all in NAME, and dseg.tsv

@@ -95,7 +95,7 @@ protected:
     return std::string();
   }
 
-  /// Of three texts from there on; nothing if one is no number.
+  /// Color of the three texts in these columns; nothing if one is no number.
   static std::optional<FileColor> ColorAt(
     const std::vector<std::string>& texts, const std::array<std::size_t, 3>& columns)
   {
@@ -223,7 +223,7 @@ public:
   }
 
 private:
-  /// Of #rrggbb; nothing for another text, such as n/a.
+  /// Color of a text #rrggbb; nothing for another text, such as n/a.
   static std::optional<FileColor> ColorOf(const std::string& code)
   {
     FileColor color = {};

@@ -22,7 +22,7 @@ namespace
 {
 const std::string ProfilesSection = "profiles";
 
-/// Of the name of a section, for each of which CLI11 copies all before it; three are in use.
+/// Limits the parts of a name, because CLI11 copies all earlier parts for each; three are in use.
 constexpr std::ptrdiff_t MostParts = 8;
 
 /// A failure about a file.

@@ -14,7 +14,7 @@ namespace
 {
 using Extensions = std::vector<std::string>;
 
-/// Of the formats that this build reads and writes.
+/// Extensions of the formats that this build reads and writes.
 Extensions SurfacesOfBuild()
 {
   Extensions extensions;

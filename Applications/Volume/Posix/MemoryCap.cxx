@@ -11,7 +11,7 @@ namespace bonedecimate::volume
 {
 namespace
 {
-/// Of addresses; 0 if it is not known.
+/// Size of the address space of this process; 0 if it is not known.
 std::uint64_t BytesOfProcess()
 {
   std::ifstream file("/proc/self/statm");

@@ -15,7 +15,8 @@
 
 namespace bonedecimate
 {
-/// Of the numbers from 0 to count - 1, each alone at first. The root of a set is its least member.
+/// Disjoint sets of the numbers from 0 to count - 1, at first one each. The root of a set is its
+/// least member.
 template <typename Number>
 class DisjointSets
 {
@@ -28,7 +29,7 @@ public:
 
   std::size_t Size() const { return this->Parents.size(); }
 
-  /// Of the set of the member. Shortens ways to roots.
+  /// Root of the set of the member. Shortens the paths to roots.
   Number Root(Number member)
   {
     while (this->ParentOf(member) != member)
@@ -49,7 +50,7 @@ public:
     }
   }
 
-  /// Of each number the root; the sets are empty afterwards.
+  /// Returns the root of each number; the sets are empty afterwards.
   std::vector<Number> TakeRoots()
   {
     for (Number& parent : this->Parents)

@@ -148,8 +148,8 @@ std::optional<Number> ParseNumber(std::string_view text)
   return value;
 }
 
-/// The same for a finite double; nothing for a number that rounds to 0, because
-/// 0 often switches an option off.
+/// ParseNumber() for a finite double; nothing for a number that rounds to 0, because 0 often
+/// switches an option off.
 inline std::optional<double> ParseFinite(std::string_view text)
 {
   const std::optional<double> value = ParseNumber<double>(text);

@@ -45,14 +45,15 @@ struct Draft
   }
 
   std::shared_ptr<EditJournal> Journal;
-  ErrorLimits Limits; ///< Of the bound, and less than half of the separation.
-  std::vector<std::vector<Index>> Enclosing; ///< Of each component, at first, if there is a guard.
-  std::optional<StateCheck> State;           ///< If there is a guard.
-  std::vector<std::uint8_t> Failures;        ///< Of each vertex, edits that were rejected.
+  ErrorLimits Limits; ///< Limits of the bound, but below half of the separation.
+  std::vector<std::vector<Index>>
+    Enclosing; ///< For each component, those that enclose it at first; only with a guard.
+  std::optional<StateCheck> State;    ///< Only with a guard.
+  std::vector<std::uint8_t> Failures; ///< Number of rejected edits of each vertex.
   std::vector<std::shared_ptr<EditFilter>>
-    ExactFilters; ///< Of the editor, while the draft has its own.
+    ExactFilters; ///< Filters of the editor, while the draft has its own.
   std::array<std::int64_t, NumberOfRejections>
-    Rejections{}; ///< Before the draft: its own are not counted.
+    Rejections{}; ///< Counts before the draft: its own rejections are not counted.
 };
 }
 

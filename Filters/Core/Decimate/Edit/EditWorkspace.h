@@ -33,14 +33,14 @@ private:
 
 struct Workspace
 {
-  EdgeNeighborhood Around; ///< Of the edge validated last; Edge is None if that was rejected.
+  EdgeNeighborhood Around; ///< Surroundings of the edge validated last; Edge is None if rejected.
   FanStorage Faces;        ///< The fan of the edge validated last.
   Tally Counted;
   VertexRange Range; ///< What the worker may change.
   float Rank = 0.0F; ///< The cost of the next collapse, for the log: see EditRecorder.h.
   double AccumulatedError = 0.0; ///< mm, of the next collapse, estimated: see DraftFilter.h.
   ProposedEdit Proposed;         ///< The edit that the filters see.
-  /// Of each filter; made for the first edit.
+  /// Pending data of each filter; made for the first edit.
   std::vector<std::shared_ptr<EditFilter::Pending>> Pending;
 };
 }

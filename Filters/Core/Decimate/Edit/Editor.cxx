@@ -284,7 +284,7 @@ Decision Editor::RunFilters(Workspace& work) const
 }
 
 //------------------------------------------------------------------------------
-/// Of the edit that all filters accepted and that has been applied to the mesh.
+/// Commits the edit that all filters accepted and that has been applied to the mesh.
 void Editor::Commit(Workspace& work)
 {
   for (std::size_t i = 0; i < this->Filters.size(); ++i)

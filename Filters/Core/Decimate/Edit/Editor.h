@@ -76,14 +76,15 @@ public:
   {
     return this->Unsmoothed ? *this->Unsmoothed : this->InitialMesh();
   }
-  /// Of its triangles.
+  /// Bounding tree of BoundedMesh().
   const BoundingTree& BoundedTree(int threads = 1) const
   {
     return this->Continued != nullptr ? this->Continued->Tree : this->Source.Tree(threads);
   }
-  /// Of each vertex of InitialMesh() the vertex of the mesh into which it was merged, or one near it.
+  /// For each vertex of InitialMesh(), the vertex into which it was merged, or one near it.
   std::vector<Index> CurrentVertices() const;
-  /// Of each vertex of the mesh a triangle of InitialMesh() near it; null: they have the same vertices.
+  /// For each vertex of the mesh, a triangle of InitialMesh() near it; null if both have the same
+  /// vertices.
   const std::vector<Index>* NearInitial() const
   {
     return this->Continued != nullptr ? &this->Continued->NearTriangle : nullptr;
@@ -163,12 +164,12 @@ public:
     return this->Bound ? this->Bound->LimitAt(vertex) : std::numeric_limits<double>::infinity();
   }
 
-  /// The same of all vertices of BoundedMesh().
+  /// LimitAt() of all vertices of BoundedMesh().
   std::vector<float> Limits() const;
 
   /// Adds the counters of a worker to those of the editor and resets them.
   void Settle(Tally& tally);
-  /// The same of workers that were active at the same time, in their order.
+  /// Adds the counters of workers that were active at the same time, in their order.
   void Settle(std::vector<Tally>& tallies);
 
   /// Once, after the last edit and only where edits are recorded; positions are in mm from the local origin.

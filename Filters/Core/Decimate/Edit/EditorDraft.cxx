@@ -17,14 +17,16 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of a vertex: edits that are rejected and undone alone. From then on, one more of the last edits of its faces each.
+/// How often the edits of a vertex are undone alone. Each later failure undoes one more of the last
+/// edits around it.
 constexpr int FailuresWithoutMore = 4;
-constexpr int MostFailures = 100; // that are counted
+constexpr int MostFailures = 100; // later failures are not counted
 /// After so many turns the draft is undone as a whole.
 constexpr int MostTurns = 120;
-/// Of the separation: how far the draft may move, so that two parts that both do cannot meet.
+/// Ratio of the separation by which a draft may move points, so that two moving parts cannot meet.
 constexpr double LessThanHalf = 0.49;
-/// Largest errors within which other parts are looked for: both may move by one, and a hundredth is for rounding.
+/// Distance within which other parts are searched, in largest errors: both may move by one, and a
+/// hundredth is for rounding.
 constexpr double ErrorsOfSeparation = 2.01;
 
 /// Whether nothing has been edited.

@@ -35,10 +35,10 @@ struct EditorSettings
     false; ///< Curves between manifold patches may be collapsed along themselves.
   /// Whether edits are rejected that let triangles intersect or narrow a gap; only with a Bound of finite Error.
   bool GuardsIntersections = false;
-  /// Of GuardsIntersections: the surface that was cleaned, of which unmoved vertices keep every bit when they are written; none:
-  /// vertices are written where the mesh has them.
+  /// The surface that was cleaned, for GuardsIntersections: unmoved vertices keep every bit of it
+  /// when they are written. Null: vertices are written where the mesh has them.
   const Surface* Input = nullptr;
-  /// Of GuardsIntersections: whether gaps are measured first, so that no edit narrows one.
+  /// Whether GuardsIntersections measures gaps first, so that no edit narrows one.
   bool GuardsGaps = true;
   /// The error bound that every edit keeps; none: edits are not limited. Its Tolerances are those below.
   std::optional<ErrorBoundSettings> Bound = {};
@@ -47,7 +47,8 @@ struct EditorSettings
   /// mm, of each vertex of the mesh; negative: none of its own. A vertex of tolerance 0, or of one too small to be proved, is
   /// constrained, and so are the corners of its faces. Empty: no vertex has a tolerance.
   std::vector<double> Tolerances = {};
-  /// Of each vertex of the mesh: whether it is constrained, and the corners of its faces, whatever its tolerance. Empty: none.
+  /// For each vertex of the mesh, whether it and the corners of its faces are constrained, whatever
+  /// its tolerance. Empty: none is.
   std::vector<char> IsConstrained = {};
   /// mm from the local origin, of each vertex of the mesh: where edits start from. The error bound and the distances recorded
   /// refer to the mesh as it was made; everything else sees these positions. Empty: vertices are where the mesh has them.
@@ -57,15 +58,15 @@ struct EditorSettings
   const ReferenceMesh* Reference = nullptr;
   /// Where edits are allowed, mm from the local origin; none: everywhere.
   std::optional<Zone> EditZone = {};
-  /// Of which new faces keep a distance.
+  /// Neighbors from which new faces keep a distance.
   Neighborhood Neighbors = {};
-  /// What edits leave, unless a triangle that they replace is worse.
+  /// Limits of the shapes that edits leave, unless a triangle that they replace is worse.
   ShapeLimits Shape = {};
-  /// Those of the run, read only by Editor::AddFilters: a new filter finds the value of its option here.
+  /// Options of the run, read only by Editor::AddFilters: a new filter finds its option here.
   Options Requested = {};
-  /// Run after the editor's own filters.
+  /// Filters that run after the editor's own.
   std::vector<std::shared_ptr<EditFilter>> MoreFilters = {};
-  int Threads = 1; ///< For the construction.
+  int Threads = 1; ///< Number of threads for the construction.
 };
 }
 

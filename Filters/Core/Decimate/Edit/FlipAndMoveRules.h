@@ -34,7 +34,8 @@ Rejection CheckMove(
   const HalfEdgeMesh& mesh, VertexId vertex, const Vector3& position, double& volumeChange);
 /// The rules of a move for a new face against the one that it replaces.
 Rejection CheckNewFace(const HalfEdgeMesh& mesh, FaceId old, const std::array<Vector3, 3>& corners);
-/// Of a collapse together with moves and flips, or a split: the same of each new face.
+/// Checks a collapse together with moves and flips, or a split, by the rules of a move: each new
+/// face against the face that it replaces.
 Rejection CheckNewFaces(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange);
 }

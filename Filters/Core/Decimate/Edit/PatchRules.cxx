@@ -29,7 +29,7 @@ bool HasDuplicates(const HalfEdgeMesh& mesh, VertexId v)
   return mesh.NextDuplicate(v) != v;
 }
 
-/// Of a vertex with duplicates: only their rings are read here.
+/// Whether the vertex has duplicates, one of them out of range. Only their rings are read here.
 bool IsOutOfRange(const HalfEdgeMesh& mesh, VertexId v, VertexRange range)
 {
   return HasDuplicates(mesh, v) &&
@@ -66,9 +66,8 @@ bool IsEar(const HalfEdgeMesh& mesh, VertexId v)
   return edges == 2;
 }
 
-/// Whether an end is stationary and the only face at it is removed: another of its open lines would be left without
-/// the edge that it
-/// has there, and with it what that edge proves.
+/// Whether an end is stationary and the only face at it is removed: another of its open lines would
+/// be left without the edge that it has there, and without what that edge proves.
 bool LosesEar(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around)
 {
   const auto isEar = [&](VertexId v) { return mesh.IsStationary(v) && IsEar(mesh, v); };

@@ -15,15 +15,15 @@
 
 namespace bonedecimate
 {
-/// Of a collapse.  Deferred if a duplicate of a vertex around the edge is out of range.
+/// Checks a collapse. Defers it if a duplicate of a vertex around the edge is out of range.
 Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexRange range);
 
-/// Of an edge of a feature curve, collapsed in all patches at it.
+/// Checks the collapse of an edge of a feature curve in all patches at it.
 /// @param patches The neighborhood of the edge in each patch.  @param gone The original vertex that is removed.
 Rejection CheckPatchBoundary(
   const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, VertexId gone);
 
-/// Of a flip that makes an edge from a to b.
+/// Checks a flip that makes an edge from a to b.
 Decision CheckNewEdge(const HalfEdgeMesh& mesh, VertexId a, VertexId b, VertexRange range);
 }
 

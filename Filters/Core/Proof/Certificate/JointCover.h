@@ -33,7 +33,7 @@ class JointCover
 {
 public:
   static constexpr std::size_t MostCandidates = 64;
-  static constexpr std::size_t MostCorners = 100; ///< Of all pieces.
+  static constexpr std::size_t MostCorners = 100; ///< Largest number of corners of all pieces.
 
   enum class Outcome : int
   {

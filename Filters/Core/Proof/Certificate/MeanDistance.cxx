@@ -18,7 +18,7 @@ constexpr std::size_t MostSamples = std::size_t{ 1 } << 21;
 constexpr double FirstStep = 0.7548776662466927;
 constexpr double SecondStep = 0.5698402909980532;
 
-/// Of distances (mm) and of their squares (mm^2).
+/// First and second moments of distances, mm and mm^2.
 struct Moments
 {
   double First = 0.0;

@@ -10,9 +10,10 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Of the height of T over the longer one of its sides at the first corner, in parts of that side.
+/// Least height of T over the longer of its sides at the first corner, as a ratio of that side.
 constexpr double LeastHeight = 3e-2;
-/// Of the angle between the direction of the projection and the normal of T; with a smaller one it is the normal.
+/// Least cosine of the angle between the direction of the projection and the normal of T; with a
+/// smaller one it is the normal.
 constexpr double LeastCosine = 0.5;
 /// More triangles over T take longer than cutting T.
 constexpr std::size_t MostTriangles = 4096;

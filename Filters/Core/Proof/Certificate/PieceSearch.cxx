@@ -20,7 +20,7 @@ double CoveringRatio(int corners)
   return corners == 3 ? 0.57735026918962584 : 0.5; // a little more than 1 / sqrt(3)
 }
 
-/// Of a piece with three corners.
+/// Positions of the corners of a piece that has three.
 Corners PositionsOf(const Piece& piece)
 {
   return { piece.Corners[0].Position, piece.Corners[1].Position, piece.Corners[2].Position };

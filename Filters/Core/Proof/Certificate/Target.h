@@ -42,7 +42,8 @@ public:
   };
   /// The simplex of least value among the candidates of the tree.
   Candidate FindLeast(const Vector3& p, Index hint) const;
-  /// The same if the least value is larger than enough, mm; otherwise any simplex of a value up to that.
+  /// FindLeast() if the least value is larger than enough, mm; otherwise any simplex with a value
+  /// up to enough.
   Candidate FindNear(const Vector3& p, Index hint, double enough) const;
 
   /// Value to this simplex, mm; an upper bound but for rounding.

@@ -136,7 +136,7 @@ FaceVersion EditJournal::NewFace(Index edit, Index i) const
 }
 
 //------------------------------------------------------------------------------
-/// The edit that made a face which the edit replaced.
+/// The edit that made a face that the edit replaced; None if no edit made it.
 Index EditJournal::EditBefore(Index edit, FaceId face) const
 {
   Index i = 0;

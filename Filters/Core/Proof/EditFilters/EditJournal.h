@@ -48,14 +48,14 @@ public:
   Index NumberOfUndone() const { return this->Undone; }
   const JournalEntry& Entry(Index edit) const { return this->Entries[edit]; }
 
-  /// Versions of all entries, one after the other: JournalEntry::FirstFace.
+  /// A face version; those of an entry follow each other from JournalEntry::FirstFace.
   const FaceVersion& Version(Index version) const { return this->Versions[version]; }
   /// The faces that an edit replaced, removed ones first.
   const FaceVersion& OldFace(Index edit, Index i) const
   {
     return this->Versions[this->Entries[edit].FirstFace + i];
   }
-  /// What the edit made of such a face.  @param i Not less than the number of removed faces.
+  /// The face that the edit made of an old one. @param i Not less than the number of removed faces.
   FaceVersion NewFace(Index edit, Index i) const;
   /// A face as it is now.
   FaceVersion LastVersion(FaceId face, const Triangle& corners) const;

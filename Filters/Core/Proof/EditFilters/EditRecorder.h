@@ -31,7 +31,8 @@ public:
   void BeginPatch(const HalfEdgeMesh& mesh);
   void EndPatch(const HalfEdgeMesh& mesh);
 
-  /// Of the last collapse that was settled: vertices that move with it, and faces that are not those that it leaves.
+  /// Adds the vertices that move with the last collapse that was settled, and the faces that differ
+  /// from those that it leaves.
   void AddNearby(
     const std::vector<VertexMove>& moves, const std::vector<SurfaceChange::Face>& faces);
 

@@ -20,7 +20,7 @@ struct FaceVersion
 {
   FaceId Face;
   Index Made = None; ///< The edit that made it; None: it was there before the first.
-  /// Position ids of its corners, for EditJournal::VertexAt and PointAt.
+  /// Positions of its corners, for EditJournal::VertexAt and PointAt.
   std::array<Index, 3> Positions;
 };
 
@@ -28,11 +28,11 @@ struct JournalEntry
 {
   VertexId Keep, Gone;
   Vector3 NewPosition = Vector3::Zero();     ///< mm, of Keep.
-  std::array<std::array<Index, 3>, 2> Twins; ///< Twins of the removed faces.
+  std::array<std::array<Index, 3>, 2> Twins; ///< Twins of the edges of the removed faces.
   std::array<HalfEdgeId, 4>
     Outgoing;          ///< Before the edit, of Keep, Gone and the apexes of the removed faces.
   Index Before = None; ///< The edit before this one that merged into Keep.
-  Index FirstFace = 0; ///< The first of the versions that it replaced, removed faces first.
+  Index FirstFace = 0; ///< First of the face versions that it replaced, removed faces first.
   std::uint16_t NumberOfFaces = 0;
   bool IsUndone = false;
 

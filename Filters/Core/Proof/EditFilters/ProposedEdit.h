@@ -33,16 +33,16 @@ struct Tally
 
 struct ProposedEdit
 {
-  /// The first one if an edge is collapsed in several manifold patches.
+  /// The edit; the first one if an edge is collapsed in several manifold patches.
   Edit Requested;
   VertexId Vertex;               ///< A vertex of the component that changes.
   double VolumeChange = 0.0;     ///< mm^3, of that component.
-  FaceId OtherGoneFace;          ///< The second removed face of a collapse; None on a boundary.
+  FaceId OtherGoneFace;          ///< The other face that a collapse removes; None on a boundary.
   float Rank = 0.0F;             ///< Cost of a collapse, for the log (EditRecorder.h).
   double AccumulatedError = 0.0; ///< mm, of a collapse: the estimate of its schedule.
   VertexRange Range;             ///< What may be read and written.
   int Workers = 1;               ///< How many edit the mesh at the same time.
-  const FragmentVolumes* Unsettled = nullptr; ///< Volumes that the worker has not settled.
+  const FragmentVolumes* Unsettled = nullptr; ///< Volumes of the worker that are not settled.
   SurfaceChange Change;                       ///< Filled only if a filter needs it.
 };
 }

@@ -68,7 +68,8 @@ bool ShapeFilter::KeepsLengths(const HalfEdgeMesh& mesh, const SurfaceChange& ch
 }
 
 //------------------------------------------------------------------------------
-/// The square of the largest ratio of a side to its local length. 0 if none is too long anywhere.
+/// The square of the largest ratio of a side of a triangle to its local length; 0 if no side is too
+/// long anywhere.
 double ShapeFilter::SquareOfLongestRatio(const Triangle& vertices, const Corners& at) const
 {
   const double least = this->Limits.LeastOfLongest();

@@ -47,12 +47,13 @@ struct SurfaceChange
   VertexId Moved;               ///< The vertex that is new or moves; None if none is.
   Vector3 Position = Vector3::Zero();
 
-  /// @param around Of the edge to collapse.
+  /// @param around Neighborhood of the edge to collapse.
   void FillCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
-  /// The same edge in one more manifold patch: all of them end at one original vertex.
+  /// Adds the collapse in one more manifold patch; all collapses end at one original vertex.
   void AddCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
-  /// Those of the old faces that are left, as the edit made them.
-  void TakeNewFaces(const HalfEdgeMesh& after);
+  /// Fills a collapse and moves of vertices near its edge, all inside, none of them an end of it.
+  void FillCollapseAndMoves(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around,
+    const Edit& edit, const std::vector<VertexMove>& moves);
   void FillMove(const HalfEdgeMesh& mesh, const Edit& edit);
   /// The mesh must turn the edge as HalfEdgeMesh::Flip says.
   void FillFlip(const HalfEdgeMesh& mesh, const Edit& edit);

@@ -29,10 +29,10 @@ public:
   /// vertices.
   const std::array<Index, 2>& NeighborsOf(Index edge) const { return this->Neighbors[edge]; }
 
-  /// Along the line while the distance falls.
+  /// Walks along the curve while the distance to p falls.
   Index WalkFrom(const Vector3& p, Index edge) const;
 
-  /// Of each vertex an edge that begins or ends there, None where there is none.
+  /// For each vertex, an edge that begins or ends there; None if there is none.
   std::vector<Index> EdgesAtVertices() const;
 
 private:

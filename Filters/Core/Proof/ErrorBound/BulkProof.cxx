@@ -194,7 +194,7 @@ Covering BulkProof::Prove(Index original, CommonFaceProof& proof, std::optional<
 }
 
 //------------------------------------------------------------------------------
-/// That of the face nearest to a point that is too far away, if there is one.
+/// The last edit of the face nearest to the point that is too far away, or else LastEditAt().
 Index BulkProof::EditToUndo(const Failure& failure, const std::vector<Index>& current) const
 {
   Index edit = None;

@@ -10,12 +10,12 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of a triangle's angle: sharper ones have no plane worth the name, only sides.
+/// Least squared sine of an angle of a triangle. Sharper ones have no useful plane, only sides.
 constexpr double LeastSquaredSine = 1e-18;
 /// Splits nearer to an end of the edge than this fraction gain too little.
 constexpr double LeastFraction = 0.02;
 
-/// Of a weight: nearer to zero, a point is on the side of the face.
+/// If a weight is nearer to zero than this, the point is on the side of the face.
 constexpr double OnSide = 1e-9;
 
 /// Where a weight that falls from the first to the second value reaches zero; 1 if it ends inside, wherever it began.
@@ -75,7 +75,7 @@ CommonFaceProof::Faces CommonFaceProof::FacesNear(const Vector3& p, double limit
 }
 
 //------------------------------------------------------------------------------
-/// Of the foot of p on the plane, inside or out.
+/// Barycentric weights of the foot of p on the plane of the candidate, inside or outside.
 std::array<double, 3> CommonFaceProof::Weights(std::size_t candidate, const Vector3& p) const
 {
   const TriangleBatch& batch = this->Candidates[candidate / TriangleBatch::Size];

@@ -29,7 +29,7 @@ public:
   /// Counts changes. An edit changes an item at most 16 times, and a version is compared before the next edit of that item.
   using Version = std::uint8_t;
 
-  /// Of no items.
+  /// Makes a coverage without items.
   Coverage() = default;
   /// Initially, no item is covered.
   Coverage(Index items, Index coverings)
@@ -89,7 +89,7 @@ private:
   struct Entry
   {
     std::atomic<Index> CoveringElement{ None }; ///< Read by other workers.
-    SlotId Next = NoSlot;                       ///< Of the same covering element.
+    SlotId Next = NoSlot;                       ///< Next slot of the same covering element.
   };
   const Entry& Slot(SlotId s) const { return this->Items[s / SlotsPerItem][s % SlotsPerItem]; }
 

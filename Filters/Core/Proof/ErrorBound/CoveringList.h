@@ -37,7 +37,7 @@ public:
   Coverage ToCoverage(Index coverings) const;
 
 private:
-  /// Of the list of the others, where that is the number of an original.
+  /// Position in Others for a number in OfOriginal that is less than None.
   static std::size_t PositionOf(Index number)
   {
     return static_cast<std::size_t>(None - 1 - number);

@@ -14,13 +14,15 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the limits. With more of it the proof that follows rejects more edits than the draft gains.
+/// Ratio of the limits that a draft uses. With a larger one, the proof that follows rejects more
+/// edits than the draft gains.
 constexpr double RatioOfLimit = 0.8;
-/// Of a sample's limit: with a smaller accumulated error new faces are hardly ever too far away.
+/// Accumulated error, as a ratio of the limit, up to which new faces are hardly ever too far away.
 constexpr double SmallAccumulatedError = 0.3;
-/// Of the largest limit: where limits are smaller, they change from triangle to triangle, and each new face is proved.
+/// Ratio of the largest limit below which limits change from triangle to triangle, so that each new
+/// face is proved.
 constexpr double MuchLess = 0.5;
-/// Of the mean edge of the original: with smaller limits, errors within an edge count.
+/// Ratio of the mean edge length of the original: with smaller limits, errors within an edge count.
 constexpr double LimitForEdges = 0.3;
 }
 

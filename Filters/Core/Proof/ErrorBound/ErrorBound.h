@@ -46,13 +46,12 @@ struct ErrorBoundSettings
 {
   /// mm, the limit everywhere
   double Error = std::numeric_limits<double>::infinity();
-  PointRounding Rounding = {};      ///< Of what is written,
-  Vector3 Origin = Vector3::Zero(); ///< mm, relative to this position.
+  PointRounding Rounding = {};      ///< Rounding of written points.
+  Vector3 Origin = Vector3::Zero(); ///< mm, the position that points are rounded relative to.
   /// mm, of each vertex of the mesh at first; negative or not a number: none of its own. Null: Error everywhere. Read
   /// only when the guarantee is made.
   const std::vector<double>* Tolerances = nullptr;
-  CutEdges
-    Cuts = {}; ///< Of a run that continues an earlier one, in the mesh before the first edit.
+  CutEdges Cuts = {}; ///< Cut edges of a run that continues an earlier one, before the first edit.
 
   /// Where the point will be when it has been written.
   Vector3 Rounded(const Vector3& position) const;
@@ -65,7 +64,7 @@ public:
   /// object.
   ErrorBound(
     const HalfEdgeMesh& atFirst, const BoundingTree& tree, const ErrorBoundSettings& settings);
-  /// Of a run that continues an earlier one: nothing is covered before ProveStart (StartProof.h).
+  /// For a run that continues an earlier one: nothing is covered before ProveStart (StartProof.h).
   /// @param reference Must outlive this object.  @param mesh Before the first edit. Settings must have no tolerances.
   ErrorBound(
     const ReferenceMesh& reference, const HalfEdgeMesh& mesh, const ErrorBoundSettings& settings);
@@ -85,9 +84,8 @@ public:
   /// Where the point will be when it has been written.
   Vector3 Rounded(const Vector3& position) const { return this->Settings.Rounded(position); }
 
-  /// mm, how far the result may be from an original vertex: slack taken off, never above that of
-  /// ErrorBoundSettings::Error, infinite
-  /// where nothing limits, 0 where nothing may change.
+  /// mm, how far the result may be from an original vertex, without slack: never above
+  /// ErrorBoundSettings::Error, infinite where nothing limits, 0 where nothing may change.
   double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
   const ErrorLimits& Limits() const { return this->Allowed; }
 
@@ -111,7 +109,7 @@ private:
   /// Like ByBoundaries and Witnesses, empty before the first edit is proved by itself: a draft needs the memory. Until then each
   /// original is covered by the face that it was.
   Coverage ByFaces;
-  std::mutex Building;                // of these
+  std::mutex Building;                // held while the coverages are built
   BoundaryCurves Boundaries;          // of the original: the items of ByBoundaries
   Coverage ByBoundaries;              // covered by half-edges
   std::vector<Index> NearestBoundary; // of each vertex: an original boundary edge near it

@@ -10,10 +10,10 @@ namespace bonedecimate
 {
 namespace
 {
-/// Far more than the rounding of distances and of points between others needs: the certificate of the result then decides
-/// as soon as its bounds are that near to each other.
+/// Relative slack, far more than the rounding of distances and of interpolated points needs, so
+/// that the certificate of the result decides as soon as its bounds are that near to each other.
 constexpr double RelativeSlack = 2e-4;
-/// Of the largest coordinate, for the same.
+/// Slack for the same rounding, as a ratio of the largest coordinate.
 constexpr double AbsoluteSlack = 1e-14;
 
 /// Limits have so many bits, so that they are the same at another distance from the origin.

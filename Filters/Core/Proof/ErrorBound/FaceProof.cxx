@@ -8,7 +8,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of one face.
+/// Largest number of pieces of one face.
 constexpr std::size_t MaximumPieces = 256;
 /// After so many halvings a piece usually has few enough input triangles around it for CommonFaceProof.
 constexpr int HalvingsBeforeCommonFaces = 2;

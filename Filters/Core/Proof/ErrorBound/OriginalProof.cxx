@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of an original, as in Prover.cxx.
+/// Largest number of pieces of an original, as in Prover.cxx.
 constexpr std::size_t MostPieces = 256;
 /// Faces that are looked at around an original vertex.
 constexpr std::size_t MostAround = 40;
@@ -114,7 +114,8 @@ Covering OriginalProof::Prove(
 }
 
 //------------------------------------------------------------------------------
-/// Of the faces near all three corners the one with the least sum of squared distances; None if there is none.
+/// The face near all three corners that has the least sum of squared distances; None if there is no
+/// such face.
 Index OriginalProof::NearestToAll(const std::array<const NearFaces*, 3>& near) const
 {
   Index nearest = None;

@@ -9,9 +9,9 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the sine of a face's angle, squared: with sharper ones shadows lie too far away to be of use.
+/// Least squared sine of an angle of a face. With a sharper one, shadows are too far away to use.
 constexpr double LeastSquaredSineOfFace = 1e-8;
-/// More than the rounding of a sum of four products.
+/// Bound of the rounding of a sum of four products.
 constexpr double Rounding = 1e-14;
 
 struct Barycentric

@@ -10,13 +10,14 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of an original, before it is given up: with too few, good edits are rejected.
+/// Largest number of pieces of an original before its proof is given up. With fewer, good edits are
+/// rejected.
 constexpr std::size_t MostPiecesOfItem = 256;
 
-/// ErrorLimits that the ends of an edge may be away from the new faces.
+/// How many limits the ends of an edge may lie from the new faces.
 constexpr double FarthestOfEnds = 1.5;
 
-/// Others may have to help.
+/// Leaves candidates for other faces that may have to help cover an item.
 constexpr std::size_t MostNewFaces = CommonFaceProof::MostCandidates - Coverage::SlotsPerItem;
 
 bool FaceIsInRange(const HalfEdgeMesh& mesh, FaceId face, VertexRange range)
@@ -295,8 +296,8 @@ Index Prover::PointOf(Index id)
 }
 
 //------------------------------------------------------------------------------
-/// Of the faces near all corners of an original the nearest, if there is any: its neighbors are those that may have to
-/// take over.
+/// The nearest of the faces near all corners of an original, if there is one. Its neighbors may
+/// have to take over.
 Prover::Faces Prover::Nearest(const std::array<Index, 3>& points) const
 {
   const Faces shared =

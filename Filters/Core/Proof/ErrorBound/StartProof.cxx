@@ -15,10 +15,10 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the length of an edge.
+/// Distance of a search position from the end of an edge, as a ratio of the length of the edge.
 constexpr double FromEnd = 0.25;
 
-/// Of length 1, in the plane of its triangle away from the edge.
+/// The direction of length 1 away from an edge, in the plane of its triangle.
 Vector3 Inward(const HalfEdgeMesh& mesh, HalfEdgeId h)
 {
   const Triangle c = mesh.Corners(HalfEdgeMesh::Face(h));
@@ -134,7 +134,7 @@ std::vector<Index> ErrorBound::CoverBoundaries(const HalfEdgeMesh& mesh, const Z
   {
     const HalfEdgeId h = edges.Curves().HalfEdge(edge);
     const Vector3 along = mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h));
-    // Not from the ends themselves, where curves meet.
+    // Do not search from the ends themselves, where curves meet.
     this->NearestBoundary[mesh.Origin(h)] =
       originals.FindNearest(mesh.Position(mesh.Origin(h)) + FromEnd * along, edges.InwardOf(edge));
     this->NearestBoundary[mesh.Target(h)] =

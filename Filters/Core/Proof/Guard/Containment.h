@@ -18,8 +18,10 @@
 
 namespace bonedecimate
 {
-/// Of each component those that its ray leaves an odd number of times, in ascending order: closed ones hold it.
-/// @param componentOf Of a vertex.  @param tree Of the faces of the mesh by their ids; null: one is made.
+/// For each component, those that its ray leaves an odd number of times, in ascending order. The
+/// closed ones among them enclose it.
+/// @param componentOf The component of a vertex.
+/// @param tree Bounding tree of the faces of the mesh by their ids; null: one is made.
 std::vector<std::vector<Index>> FindEnclosing(const HalfEdgeMesh& mesh, Index components,
   const std::function<Index(VertexId)>& componentOf, const BoundingTree* tree, int threads);
 }

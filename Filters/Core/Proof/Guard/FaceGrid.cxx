@@ -16,9 +16,9 @@ constexpr std::int32_t Farthest = (1 << 20) - 1;
 /// How many faces a cell is wide. Faces grow: in smaller cells they would soon be in too many, larger ones have parts of
 /// too many workers in them.
 constexpr double FacesOfSide = 2.0;
-/// Of a cell's side: how far from the surface empty cells get an interval.
+/// How far from the surface empty cells get an interval, in sides of a cell.
 constexpr double Margin = 0.25;
-/// Of a cell's side, for the rounding of what is divided by it.
+/// Slack for the rounding of quotients by the side of a cell, in sides of a cell.
 constexpr double Rounding = 1e-6;
 
 FaceGrid::Key NameOf(std::int32_t x, std::int32_t y, std::int32_t z)

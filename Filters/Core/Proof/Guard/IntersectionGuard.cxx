@@ -35,7 +35,8 @@ IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& su
 }
 
 //------------------------------------------------------------------------------
-/// Of the corners of a face, by their original vertices. A new vertex represents both vertices that were merged into it.
+/// The least gap at the corners of a face, by their original vertices. A new vertex represents both
+/// vertices that were merged into it.
 Gap IntersectionGuard::LeastGapOf(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& originals) const
 {

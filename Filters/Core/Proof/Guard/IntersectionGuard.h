@@ -55,7 +55,7 @@ public:
   void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
     Tally& tally) override;
 
-  /// Of a draft, before its first edit. Both must outlive the check.
+  /// The check of a draft, made before its first edit. Guard and journal must outlive the check.
   StateCheck CheckOf(const EditJournal& journal) const
   {
     return { this->Mesh, this->Widths, this->Written, journal };

@@ -215,7 +215,8 @@ private:
     }
   }
 
-  /// Of what is near, in the order of distances, to the first triangle beyond the last disk.
+  /// Adds near triangles to the patch by distance, while they may form a disk.
+  /// @return Distance of the first triangle beyond the last disk, mm.
   double DistanceFrom(FaceId face, const std::vector<Boxed>& near, GrowingPatch& patch) const
   {
     double limit = this->Limit; // mm
@@ -233,7 +234,8 @@ private:
     return distance < this->Limit ? distance : Infinity;
   }
 
-  /// The nearest ones.  @param limit mm; not greater than the distance of those that are left out.
+  /// The nearest triangles.
+  /// @param limit mm; not greater than the distance of those that are left out.
   std::vector<Neighbor> Sorted(FaceId face, const std::vector<Boxed>& near, double& limit) const
   {
     const FloatBox& box = this->Tree.Box(static_cast<std::size_t>(face));

@@ -73,7 +73,7 @@ struct Projection
   int Sign = 0;
 };
 
-/// Of two triangles in one plane: whether an edge of a has all of b strictly beyond it.
+/// Whether all of b is strictly beyond an edge of a. Both triangles lie in one plane.
 bool HasSeparatingEdge(
   const TriangleCorners& a, const TriangleCorners& b, const Projection& projection)
 {

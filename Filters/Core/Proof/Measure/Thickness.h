@@ -29,7 +29,7 @@ struct SolidSurface
   const bonedecimate::Surface& Surface;
   const BoundingTree& Tree; ///< Bounding tree of the surface.
   const std::vector<PartSides>*
-    Sides; ///< One for each triangle; null: all normals point out of the one solid 0.
+    Sides; ///< Parts at each triangle; null: all normals point out of the one solid 0.
 };
 
 struct ThicknessChange
@@ -37,7 +37,7 @@ struct ThicknessChange
   ThicknessFigures Before, After;
 };
 
-/// @param triangles Of the result: the surface of the part, normals out of it.
+/// @param triangles Triangles of the result: the surface of the part, normals out of it.
 /// @param solid The part, as in the sides.
 ThicknessChange CompareThickness(const SolidSurface& before, const SolidSurface& after,
   const std::vector<Triangle>& triangles, Index solid, std::size_t samples, int threads);

@@ -82,7 +82,7 @@ private:
   std::vector<Index> AtSplits;
   LargeArray<Index> MergedInto; // since then; the vertex itself while it exists
   std::vector<Index> Nearest;   // for each vertex, if distances are recorded
-  std::vector<double> Errors;   // the same, mm
+  std::vector<double> Errors;   // mm, for each vertex, if distances are recorded
   double Largest = 0.0;         // mm
 };
 }

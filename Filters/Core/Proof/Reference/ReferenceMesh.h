@@ -26,8 +26,9 @@ struct ReferenceMesh
   HalfEdgeMesh Mesh;
   CutEdges Cuts;
   BoundingTree Tree;
-  std::vector<Index> NearVertex;   ///< An input vertex near each vertex of this mesh.
-  std::vector<Index> NearTriangle; ///< A triangle of this mesh near each input vertex.
+  std::vector<Index> NearVertex; ///< For each vertex of this mesh, a vertex of the input near it.
+  std::vector<Index>
+    NearTriangle; ///< For each vertex of the input, a triangle of this mesh near it.
 };
 }
 

@@ -66,7 +66,7 @@ public:
   {
     double Distance = 0.0;    ///< Root mean square over the samples, mm.
     double FaceArea = 0.0;    ///< Mean over the faces, squares of the unit.
-    double ShapeWeight = 0.0; ///< Of Decimate/Cost/SampledErrorCost.h; 0: distances alone count.
+    double ShapeWeight = 0.0; ///< Weight in SampledErrorCost.h; 0: distances alone count.
   };
   const Usual& Spread() const { return this->Measured; }
 
