@@ -16,7 +16,7 @@
 
 namespace bonedecimate
 {
-/// Of the sides, mm^2, ascending.
+/// Squares of the sides, mm^2, ascending.
 inline std::array<double, 3> SortedSquares(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double sides[3] = { (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() };

@@ -89,7 +89,7 @@ std::optional<ErrorBoundSettings> BoundSettings(const RunTask& task, const Prepa
   return settings;
 }
 
-/// Of the voxel guard; none if voxels may change.
+/// Settings of the voxel guard; none if voxels may change.
 std::optional<VoxelGuardSettings> VoxelSettings(const RunTask& task, const PreparedInput& prepared)
 {
   if (!task.GuardsVoxels)

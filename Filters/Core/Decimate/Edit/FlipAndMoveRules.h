@@ -23,9 +23,9 @@ std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 /// mm from the local origin
 std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners);
 
-/// Of a flip, without positions.
+/// The rules of a flip that need no positions.
 Rejection CheckFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners);
-/// Of a flip: whether no face turns too far or becomes a worse needle.
+/// Whether no face of a flip turns too far or becomes a worse needle.
 bool KeepsShape(const std::array<Vector3, 4>& corners);
 
 /// @param volumeChange mm^3, returned if it is allowed.

@@ -47,7 +47,7 @@ private:
   struct Listed
   {
     VertexId Vertex;
-    CostBucket Highest = NeverBucket; ///< Of the list.
+    CostBucket Highest = NeverBucket; ///< Highest bucket of the list.
   };
   struct Box
   {
@@ -61,7 +61,7 @@ private:
     VertexEdges Edges;
     Workspace Space;
     CollapseSearch::Result Found;
-    Box Changes;        ///< Of the faces that an accepted collapse changes.
+    Box Changes;        ///< Box of the faces that an accepted collapse changes.
     double Reach = 0.0; ///< mm, around it: what the search read.
   };
 

@@ -73,7 +73,7 @@ private:
   bool Round(CostBucket limit, const Monitor& monitor);
   struct BlockCut
   {
-    Index Size;     ///< Of a block, vertex slots.
+    Index Size;     ///< Vertex slots of a block.
     bool IsShifted; ///< By half of one.
   };
   bool SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& monitor);

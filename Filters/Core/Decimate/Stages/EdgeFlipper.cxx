@@ -67,7 +67,7 @@ double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
 }
 
 //------------------------------------------------------------------------------
-/// Of the edge between the faces, from one corner to another.
+/// Error of the edge between the faces, from one corner to another.
 double EdgeFlipper::ErrorOfChord(
   const Pair& pair, const std::array<Index, 4>& corners, std::size_t from, std::size_t to) const
 {

@@ -26,7 +26,7 @@ namespace bonedecimate
 struct ForcedReach
 {
   double Farthest; ///< The largest ratio of a candidate.
-  int Rings;       ///< Of vertices around it that may move.
+  int Rings;       ///< Rings of vertices around it that may move.
 };
 
 class ForcedCollapse

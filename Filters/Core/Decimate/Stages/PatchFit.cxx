@@ -70,7 +70,7 @@ void PatchFit::Copy(const EdgeNeighborhood& around, const SlackCandidate& candid
 }
 
 //------------------------------------------------------------------------------
-/// Of a vertex beside the edge, as after the collapse.
+/// The ring of a vertex beside the edge, as after the collapse.
 void PatchFit::CopyRing(VertexId vertex, const EdgeNeighborhood& around)
 {
   const auto merged = [&](VertexId v) { return v == around.End ? around.Start : v; };

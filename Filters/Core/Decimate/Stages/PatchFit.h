@@ -35,20 +35,20 @@ public:
   struct Result
   {
     bool IsWithin = false;
-    Vector3 Position = Vector3::Zero(); ///< Of the merged vertex, mm from the local origin.
+    Vector3 Position = Vector3::Zero(); ///< Where the merged vertex is, mm from the local origin.
     NearbyEdits Nearby;
     struct Near
     {
       Index Vertex;
-      Index Triangle; ///< Of the original.
+      Index Triangle; ///< A triangle of the original.
     };
-    std::vector<Near> Hints; ///< Of the merged and of the moved vertices.
+    std::vector<Near> Hints; ///< What is near the merged and the moved vertices.
     struct Held
     {
       Index Face;
       Index Sample;
     };
-    std::vector<Held> Samples; ///< Of all faces of the copy.
+    std::vector<Held> Samples; ///< Samples of all faces of the copy.
     std::vector<Index> Faces;  ///< All faces of the copy, the removed ones included.
   };
   /// @param around Of the candidate, whose ends move freely.

@@ -8,7 +8,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the bound, what a shift may use.
+/// Fraction of the bound that a shift may use.
 constexpr double MostOfShift = 0.97;
 }
 

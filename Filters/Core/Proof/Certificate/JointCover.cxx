@@ -15,7 +15,7 @@ constexpr std::size_t Group = 4;
 /// mm^2; the squares of shorter lengths underflow, and the slack is longer (Foot.h).
 constexpr double LeastSquared = 1e-300;
 
-/// Of length 1; any such vector across the axis if there is only rounding error.
+/// A vector of length 1; any such vector across the axis if there is only rounding error.
 Vector3 Across(const Vector3& axis, const Vector3& from)
 {
   const Vector3 first = from - Dot(axis, from) * axis;

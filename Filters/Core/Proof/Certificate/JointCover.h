@@ -88,7 +88,7 @@ private:
   std::size_t Count = 0;    // of candidates
   std::size_t Given = 0;    // corners
   std::size_t Measured = 0; // to how many of them, a whole number of groups, distances are known
-  // Of each candidate the first corner, mm, the axes of its frame, of which the third is the normal, and its sides in it.
+  // For each candidate the first corner, mm, the axes of its frame, of which the third is the normal, and its sides in it.
   std::array<PerCandidate<double>, 3> A, U, V, W;
   std::array<PerCandidate<double>, 3> AlongU, AlongV; // directions of the sides
   std::array<PerCandidate<double>, 3> Middle, Half,

@@ -119,7 +119,7 @@ void OverlayCover::Add(Index triangle)
 }
 
 //------------------------------------------------------------------------------
-/// Of length 1.
+/// A vector of length 1.
 Vector3 OverlayCover::Normal(Index triangle) const
 {
   const auto& [a, b, c] = this->Surface.Corners[triangle];
