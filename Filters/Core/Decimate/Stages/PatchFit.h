@@ -67,8 +67,7 @@ private:
     Index Id;
     Vector3 Position;
     Index Hint;
-    std::vector<Corner>
-      Fan; // counter-clockwise; empty at the border of the copy, where nothing moves
+    std::vector<Corner> Fan; // counter-clockwise; empty where the copy ends: nothing moves
     bool HasMoved = false;
   };
   struct Face
@@ -97,7 +96,7 @@ private:
     const std::array<std::size_t, 4>& corners, const std::array<std::size_t, 2>& faces);
   bool FlipImproves(const Edge& edge);
   void Flip(const Edge& edge);
-  void FlipAround(std::size_t vertex);
+  void FlipAround(std::size_t vertex, double ratio);
   double LargestRatio();
   double Sweep();
   bool SweepUntilWithin();
