@@ -85,7 +85,14 @@ TEST_P(EachSplit, LeavesManifoldPatchesWithStationaryDuplicates)
   CleanSurface clean = Clean(GetParam().Surface, true);
   SortAlongCurve(clean);
   SplitIntoManifoldPatches(clean);
+  const std::vector<Index> originals = clean.ManifoldPatches.OriginalVertices;
+  const std::vector<Index> order = CurveOrder(clean.Surface.Points);
   SortAlongCurve(clean);
+  for (std::size_t v = 0; v < originals.size(); ++v)
+  {
+    EXPECT_EQ(order[clean.ManifoldPatches.OriginalVertices[v]], originals[order[v]])
+      << "duplicates take the places that sorting all points gives them";
+  }
   const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
   EXPECT_EQ(BrokenInvariant(mesh), "");
   std::int64_t constrained = 0; // where a patch meets itself along a single edge

@@ -41,16 +41,9 @@ double MeanLength(const Surface& surface, int threads)
 }
 
 HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads, const PatchMap& patches)
-  : HalfEdgeMesh(
-      surface, EdgeMatching(surface.Triangles, surface.Points.size(), threads), threads, patches)
 {
-}
-
-//------------------------------------------------------------------------------
-HalfEdgeMesh::HalfEdgeMesh(
-  const Surface& surface, const EdgeMatching& edges, int threads, const PatchMap& patches)
-  : HalfEdgeMesh(surface, edges, edges.FindRings(), threads, patches)
-{
+  const EdgeMatching edges(surface.Triangles, surface.Points.size(), threads);
+  *this = HalfEdgeMesh(surface, edges, edges.FindRings(), threads, patches);
 }
 
 //------------------------------------------------------------------------------

@@ -18,27 +18,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// WithJoined at the positions of the mesh.
-template <typename Use>
-auto WithJoined(
-  const CleanSurface& clean, const HalfEdgeMesh& mesh, bool isSmoothed, const Use& use)
-{
-  return bonedecimate::WithJoined(clean,
-    [&](const Surface& joined)
-    {
-      if (!isSmoothed)
-      {
-        return use(joined);
-      }
-      Surface smoothed = joined;
-      for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-      {
-        smoothed.Points[v] = mesh.Position(v);
-      }
-      return use(static_cast<const Surface&>(smoothed));
-    });
-}
-
 WrittenPositions WrittenBy(const EditorSettings& settings, const CleanSurface& clean)
 {
   return settings.Input == nullptr
@@ -183,10 +162,19 @@ void Editor::AddRecorder()
 //------------------------------------------------------------------------------
 void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor& monitor)
 {
-  this->Guard = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
+  this->Guard = WithJoined(this->Source.AtFirst(),
     [&](const Surface& joined)
     {
-      return std::make_shared<IntersectionGuard>(this->Half, joined,
+      Surface smoothed;
+      if (this->Unsmoothed)
+      {
+        smoothed = joined;
+        for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+        {
+          smoothed.Points[v] = this->Half.Position(v);
+        }
+      }
+      return std::make_shared<IntersectionGuard>(this->Half, this->Unsmoothed ? smoothed : joined,
         WrittenBy(settings, this->Source.AtFirst()), settings.Bound->Error, settings.GuardsGaps,
         settings.Threads, monitor);
     });
