@@ -119,7 +119,7 @@ TEST(JointCover, IsAnUpperBoundOfTheDistance)
     for (const double factor : { 0.9, 1.0, 1.05, 1.2, 1.5, 3.0 })
     {
       JointCover cover = CoverBy(surface, triangle);
-      if (cover.Run(factor * largest, JointCover::MostCorners) == Outcome::Covered)
+      if (cover.Run(factor * largest, JointCover::MaxCorners) == Outcome::Covered)
       {
         ++covered;
         EXPECT_GE(cover.Upper() * (1.0 + 1e-12), largest) << seed;
@@ -159,11 +159,11 @@ TEST(JointCover, NeedsAllTrianglesThatOnlyTogetherAreNear)
   {
     for (Index i = 0; i < 2; ++i)
     {
-      EXPECT_TRUE(i == 1 || cover.Run(0.3, JointCover::MostCorners) != Outcome::Covered) << x;
+      EXPECT_TRUE(i == 1 || cover.Run(0.3, JointCover::MaxCorners) != Outcome::Covered) << x;
       EXPECT_TRUE(cover.Add(CornersOf(SquareFrom(x), i), id++));
     }
   }
-  ASSERT_EQ(cover.Run(0.3, JointCover::MostCorners), Outcome::Covered);
+  ASSERT_EQ(cover.Run(0.3, JointCover::MaxCorners), Outcome::Covered);
   EXPECT_GE(cover.Upper(), 0.1);
   EXPECT_LE(cover.Upper(), 0.3);
 }
@@ -173,10 +173,10 @@ TEST(JointCover, NamesAPositionThatIsFar)
   Surface surface = SquareFrom(0.0);
   const Corners over = { Vector3{ 0.1, 0.1, 0.1 }, { 8.9, 0.5, 0.1 }, { 0.1, 0.9, 0.1 } };
   JointCover cover = CoverBy(surface, over);
-  ASSERT_EQ(cover.Run(7.0, JointCover::MostCorners), Outcome::Far);
+  ASSERT_EQ(cover.Run(7.0, JointCover::MaxCorners), Outcome::Far);
   EXPECT_GT(BruteNearest(surface, cover.FarPosition()).Distance, 7.0);
   EXPECT_EQ(cover.NearestToFar(), BruteNearest(surface, cover.FarPosition()).Triangle);
-  EXPECT_EQ(cover.Run(8.0, JointCover::MostCorners), Outcome::Covered) << "with a larger limit";
+  EXPECT_EQ(cover.Run(8.0, JointCover::MaxCorners), Outcome::Covered) << "with a larger limit";
   EXPECT_NEAR(cover.Upper(), Vector3(7.9, 0.0, 0.1).norm(), 1e-12);
 }
 
@@ -196,17 +196,17 @@ TEST(JointCover, MeasuresToCandidatesThatAreAddedLater)
   {
     add(x);
   }
-  ASSERT_EQ(cover.Run(0.3, JointCover::MostCorners), Outcome::Far) << "beside the middle";
+  ASSERT_EQ(cover.Run(0.3, JointCover::MaxCorners), Outcome::Far) << "beside the middle";
   for (const double x : { 60.0, 70.0, 80.0 })
   {
     add(x);
-    EXPECT_EQ(cover.Run(0.3, JointCover::MostCorners), Outcome::Far) << "these are far, too";
+    EXPECT_EQ(cover.Run(0.3, JointCover::MaxCorners), Outcome::Far) << "these are far, too";
   }
   for (const double x : { 1.0, 2.0, 3.0, 5.0, 6.0, 7.0 })
   {
     add(x);
   }
-  ASSERT_EQ(cover.Run(0.3, JointCover::MostCorners), Outcome::Covered);
+  ASSERT_EQ(cover.Run(0.3, JointCover::MaxCorners), Outcome::Covered);
   EXPECT_GE(cover.Upper(), 0.1);
 }
 
@@ -229,7 +229,7 @@ TEST(JointCover, EndsWithTheLargestNumberOfCorners)
   }
   JointCover cover = CoverBy(row, over);
   EXPECT_EQ(cover.Run(0.2, 3), Outcome::Exceeded);
-  EXPECT_EQ(cover.Run(0.2, JointCover::MostCorners), Outcome::Covered) << "continues";
+  EXPECT_EQ(cover.Run(0.2, JointCover::MaxCorners), Outcome::Covered) << "continues";
   EXPECT_GE(cover.Upper(), 0.1);
 }
 

@@ -41,7 +41,7 @@ std::vector<std::string> WarningAbout(const PartComparison& compared, const char
   for (const PartFigures& part : compared.Parts)
   {
     const double change = std::abs(changeOf(part));
-    if (change > toTell && !part.IsSmallerThan(compared.SmallestVolume))
+    if (change > toTell && !part.IsSmallerThan(compared.MinVolume))
     {
       ++count;
       most = most == nullptr || change > std::abs(changeOf(*most)) ? &part : most;

@@ -58,10 +58,10 @@ struct PartComparison
     Labels
   };
   /// The report lists the largest, and thickness is measured of them alone.
-  static constexpr std::size_t MostListed = 32;
+  static constexpr std::size_t MaxListed = 32;
 
   Kind Of = Kind::NotCompared;    ///< If NotCompared, all other members are meaningless.
-  double SmallestVolume = 0.0;    ///< mm^3; there are no warnings about smaller parts.
+  double MinVolume = 0.0;         ///< mm^3; there are no warnings about smaller parts.
   std::vector<PartFigures> Parts; ///< Sorted by their area in the input, largest first.
 };
 

@@ -29,8 +29,8 @@ struct SmoothingFigures
   bool IsInVoxels = false;      ///< Thick slices: smoothed in voxel units, within octahedra.
   double Strength = 0.0;        ///< lambda of Smoothing/BoundedSolver.h
   double RmsDisplacement = 0.0; ///< mm
-  double LargestDisplacement = 0.0; ///< mm
-  double AngleBefore = 0.0;         ///< Degrees, mean angle between the normals of neighbors.
+  double MaxDisplacement = 0.0; ///< mm
+  double AngleBefore = 0.0;     ///< Degrees, mean angle between the normals of neighbors.
   double AngleAfter = 0.0;
   double AreaBefore = 0.0; ///< mm^2
   double AreaAfter = 0.0;

@@ -20,7 +20,7 @@ constexpr double Growth = 1.0 / (1 << 22);
 /// Coordinates are clamped to this, in lengths of the whole, so that squares stay finite;
 /// all boxes are equally far then.
 constexpr double Far = 1e12;
-constexpr double LeastLength = 1e-290; // mm; the scale of a smaller surface would overflow
+constexpr double MinLength = 1e-290; // mm; the scale of a smaller surface would overflow
 
 struct Range
 {
@@ -322,7 +322,7 @@ void BoundingTree::SetUnit(const Surface& surface)
       high = high.cwiseMax(surface.Points[corner]);
     }
   }
-  this->Scale = 1.0 / std::max(LeastLength, (high - this->Low).maxCoeff());
+  this->Scale = 1.0 / std::max(MinLength, (high - this->Low).maxCoeff());
 }
 
 //------------------------------------------------------------------------------

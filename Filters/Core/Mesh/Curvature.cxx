@@ -114,7 +114,7 @@ private:
   std::vector<Index> Found;
 };
 
-double LargestEigenvalue(const Curving& curving) // 1/mm, without its sign
+double MaxEigenvalue(const Curving& curving) // 1/mm, without its sign
 {
   if (!(curving.Area > 0.0))
   {
@@ -126,7 +126,7 @@ double LargestEigenvalue(const Curving& curving) // 1/mm, without its sign
 }
 }
 
-std::vector<double> LargestCurvatures(
+std::vector<double> MaxCurvatures(
   const HalfEdgeMesh& mesh, const PointGraph& graph, double radius, int threads)
 {
   const std::vector<Curving> curving = CurvingOfVertices(mesh);
@@ -137,7 +137,7 @@ std::vector<double> LargestCurvatures(
       Neighborhoods neighborhoods(mesh, graph, radius, curving);
       for (std::size_t v = first; v < last; ++v)
       {
-        largest[v] = LargestEigenvalue(neighborhoods.Around(static_cast<Index>(v)));
+        largest[v] = MaxEigenvalue(neighborhoods.Around(static_cast<Index>(v)));
       }
     });
   return largest;

@@ -25,7 +25,7 @@ namespace bonedecimate
  * the radius that edges connect with it.
  * @param mesh Before the first edit.  @param graph Of its points.  @param radius mm
  */
-std::vector<double> LargestCurvatures(
+std::vector<double> MaxCurvatures(
   const HalfEdgeMesh& mesh, const PointGraph& graph, double radius, int threads);
 }
 

@@ -56,7 +56,7 @@ bool EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
     {
       last = HalfEdgeMesh::Next(out); // continue at the other end of the edge
     }
-    else if (this->Corners.size() == MostFacesOfEdit)
+    else if (this->Corners.size() == MaxFacesOfEdit)
     {
       return false;
     }
@@ -83,8 +83,8 @@ bool EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex)
 {
   Index faces = 0;
-  mesh.VisitNeighbors(vertex, [&](HalfEdgeId, Index) { return ++faces <= MostFacesOfEdit + 2; });
-  return faces > MostFacesOfEdit + 2;
+  mesh.VisitNeighbors(vertex, [&](HalfEdgeId, Index) { return ++faces <= MaxFacesOfEdit + 2; });
+  return faces > MaxFacesOfEdit + 2;
 }
 
 //------------------------------------------------------------------------------

@@ -40,7 +40,7 @@ struct EdgeNeighborhood
 
   /// Replaces the content without allocating. No end may be NonManifold, and both may be
   /// on a boundary only if the edge is. False, and the content is of no use, if there are
-  /// more than MostFacesOfEdit corners.
+  /// more than MaxFacesOfEdit corners.
   bool Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 
   /// The link condition: no vertex occurs twice on the ring, and no end lies on it.
@@ -48,7 +48,7 @@ struct EdgeNeighborhood
 };
 
 /// Whether the vertex has so many faces that none of its edges can be collapsed: more
-/// than MostFacesOfEdit would remain.
+/// than MaxFacesOfEdit would remain.
 bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex);
 inline bool MayMove(const HalfEdgeMesh& mesh, VertexId vertex)
 {

@@ -18,7 +18,7 @@ namespace bonedecimate
 /// Faces at the vertex that a collapse merges or a move moves, at most. Vertices with
 /// more wait until collapses around them have removed some, so that no edit costs
 /// more the more faces a vertex has.
-constexpr Index MostFacesOfEdit = 128;
+constexpr Index MaxFacesOfEdit = 128;
 
 enum class EditKind : std::uint8_t
 {

@@ -18,11 +18,11 @@ class SizingField;
 /// Positions are relative to the local origin of the input.
 struct ShapeLimits
 {
-  double LargestCosine = 1.0;                    ///< That of the least angle; 1: any.
+  double MaxCosine = 1.0;                        ///< That of the least angle; 1: any.
   double EdgeLength = 0.0;                       ///< mm, that edges are to have, at most; 0: any.
   std::shared_ptr<const SizingField> Local = {}; ///< Where it is less; null: nowhere.
 
-  bool LimitsAngles() const { return this->LargestCosine < 1.0; }
+  bool LimitsAngles() const { return this->MaxCosine < 1.0; }
   bool LimitsEdges() const { return this->EdgeLength > 0.0; }
   bool IsAny() const { return !this->LimitsAngles() && !this->LimitsEdges(); }
 
@@ -39,7 +39,7 @@ struct ShapeLimits
   /// mm; no longer edge may stay anywhere.
   double LongestEdge() const { return this->LimitsEdges() ? Longest * this->EdgeLength : Infinity; }
   /// mm; a shorter one may be split somewhere.
-  double LeastOfLongest() const;
+  double MinOfLongest() const;
   /// mm; no edge that is not shorter is collapsed anywhere.
   double ShortestEdge() const { return Shortest * this->EdgeLength; }
 };

@@ -16,7 +16,7 @@ constexpr int BitsOfAxis = 21;
 /// Slightly less than 2^21 and no simple fraction of it, so that points in regular rows seldom lie
 /// on the boundary of two cells, where another unit of length would round them to the other side.
 constexpr double CellsAcross = 2038437.618033988;
-constexpr double LeastLength =
+constexpr double MinLength =
   1e-290; // mm; the number of cells per mm would overflow for smaller boxes
 constexpr int BitsOfDigit = 11;
 constexpr std::size_t Digits = std::size_t(1) << BitsOfDigit;
@@ -64,7 +64,7 @@ public:
       this->Low = this->Low.cwiseMin(box.Low);
       high = high.cwiseMax(box.High);
     }
-    this->Scale = CellsAcross / std::max(LeastLength, (high - this->Low).maxCoeff());
+    this->Scale = CellsAcross / std::max(MinLength, (high - this->Low).maxCoeff());
   }
 
   /// Position on the curve, 63 bits.

@@ -13,7 +13,7 @@ namespace bonedecimate
 {
 /// Largest absolute value of a length, area or volume; points farther
 /// from the origin are rejected, too.
-constexpr double LargestNumber = 1e30;
+constexpr double MaxNumber = 1e30;
 
 struct NumberRange
 {

@@ -88,7 +88,7 @@ struct Options
   /// mm, the smaller one of MaximumError and the error of the preset,
   /// of those that are set; 0: none.
   /// @param voxelSize mm
-  double LargestError(double voxelSize) const
+  double MaxError(double voxelSize) const
   {
     const double ofPreset = this->VoxelsOfPreset() * voxelSize;
     return this->MaximumError > 0.0 && ofPreset > 0.0 ? std::min(this->MaximumError, ofPreset)

@@ -43,8 +43,8 @@ struct ErrorSearchOptions
   /// Options of every run; TargetNumberOfTriangles is the number to reach, MaximumError is ignored.
   bonedecimate::Options Run;
   double RelativePrecision =
-    0.02;            ///< Above 0: the search ends when low and high differ by no more.
-  int MostRuns = 40; ///< The search ends after as many, 1 or more.
+    0.02;           ///< Above 0: the search ends when low and high differ by no more.
+  int MaxRuns = 40; ///< The search ends after as many, 1 or more.
   RunInputs
     Inputs; ///< Inputs of every run; without a log. Errors are those to the reference if there is one.
 };

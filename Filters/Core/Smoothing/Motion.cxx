@@ -9,7 +9,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int MostHalvingsOfTime = 8;
+constexpr int MaxHalvingsOfTime = 8;
 /// Bound of the rounding of products, relative to the coordinates.
 constexpr double Rounding = 1e-12;
 
@@ -64,6 +64,6 @@ bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after, int 
 bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after)
 {
   const bool isStill = before.First == after.First && before.Second == after.Second;
-  return isStill || StayApart(before, after, MostHalvingsOfTime);
+  return isStill || StayApart(before, after, MaxHalvingsOfTime);
 }
 }

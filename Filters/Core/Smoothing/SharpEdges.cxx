@@ -18,7 +18,7 @@ namespace bonedecimate
 namespace
 {
 /// In sums of the bends of two patches: curvature alone explains at most 1.5.
-constexpr double MostOfBends = 2.0;
+constexpr double MaxOfBends = 2.0;
 
 /// Whether two triangles at an edge have their normals on the same side of the surface.
 bool HaveEqualOrientation(const Triangle& one, const Triangle& other)
@@ -155,7 +155,7 @@ public:
     const Index b = this->Best[edge[1]];
     const double angle = AngleBetween(this->Means[a], this->Means[b]);
     return DegreesPerRadian * angle > this->Settings.Angle &&
-      angle > MostOfBends * (BendOf(this->Spreads[a]) + BendOf(this->Spreads[b]));
+      angle > MaxOfBends * (BendOf(this->Spreads[a]) + BendOf(this->Spreads[b]));
   }
 
   const Vector3& Normal(Index triangle) const { return this->Means[this->Best[triangle]]; }

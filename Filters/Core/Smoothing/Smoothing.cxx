@@ -19,7 +19,7 @@ namespace
 /// Fraction of the radius that is used: rounding to the precision of the output needs the rest.
 constexpr double RadiusOfSolver = 0.999;
 /// Radii are halved that often, then set to 0.
-constexpr int MostHalvings = 6;
+constexpr int MaxHalvings = 6;
 /// Rings of points around an intersection that are solved again.
 constexpr int RingsAround = 4;
 /// Fractions of the progress.
@@ -249,7 +249,7 @@ private:
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     for (const Index point : corners)
     {
-      const double factor = this->Halvings[point]++ < MostHalvings ? 0.5 : 0.0;
+      const double factor = this->Halvings[point]++ < MaxHalvings ? 0.5 : 0.0;
       this->Radii[point] *= factor;
       this->Sets.SetRadius(point, RadiusOfSolver * this->Radii[point]);
     }

@@ -23,8 +23,8 @@
 
 namespace bonedecimate
 {
-constexpr double LeastStrength = 1.0;
-constexpr double MostStrength = 12.0;
+constexpr double MinStrength = 1.0;
+constexpr double MaxStrength = 12.0;
 /// Without a known grid.
 constexpr double DefaultStrength = 3.0;
 

@@ -29,14 +29,13 @@ struct Face
 bool IsTurned(const Face& before, const Face& after)
 {
   return before.Area > 0.0 &&
-    Dot(before.Vector, after.Vector) < LeastCosine * before.Area * after.Area;
+    Dot(before.Vector, after.Vector) < MinCosine * before.Area * after.Area;
 }
 
 /// @param quality Of the worst face before.
 bool IsNeedle(const Face& after, double quality)
 {
-  return !(after.Area > 0.0) ||
-    (after.Quality < LeastQualityOfSmallEdit && after.Quality < quality);
+  return !(after.Area > 0.0) || (after.Quality < MinQualityOfSmallEdit && after.Quality < quality);
 }
 
 Rejection RejectionOfConstrained(VertexConstraint kind)

@@ -83,10 +83,10 @@ private:
   WorkerTeam Team;
   std::vector<Candidate> Candidates; // memory of the batch
   std::size_t Size = 0;              // of the batch
-  std::size_t MostInBatch;
+  std::size_t MaxInBatch;
   std::vector<Index> Ready; // the lowest list, of which those before NextReady were taken
   std::size_t NextReady = 0;
-  CostBucket HighestOfReady = NeverBucket;
+  CostBucket MaxOfReady = NeverBucket;
   std::vector<Listed> Waiting, Retried; // for the next batch; of the one being filled
   std::vector<std::uint32_t>
     ReservedBy; // of each vertex, the last batch that has it in a closed ring

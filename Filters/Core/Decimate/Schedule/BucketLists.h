@@ -23,7 +23,8 @@ namespace bonedecimate
 /// The upper 16 bits below the sign of a cost: ordered like costs, 256 buckets per factor of two.
 using CostBucket = std::uint16_t;
 constexpr CostBucket NeverBucket = 0xFFFF;
-constexpr CostBucket LastBucket = NeverBucket - 1; ///< Last bucket of vertices with an edge to collapse.
+constexpr CostBucket LastBucket =
+  NeverBucket - 1; ///< Last bucket of vertices with an edge to collapse.
 constexpr int BucketsPerDoubling = 256;
 constexpr int BucketsPerList = BucketsPerDoubling / 8;
 

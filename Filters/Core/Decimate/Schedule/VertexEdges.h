@@ -83,7 +83,7 @@ public:
   /// Whether no edge leads out of the block.
   bool AreInside() const { return this->Inside; }
   /// The least cost of the edges not taken yet; infinite if there is none.
-  float LeastCost() const;
+  float MinCost() const;
   Candidate TakeCheapest();
 
 private:

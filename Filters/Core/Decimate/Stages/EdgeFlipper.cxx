@@ -104,7 +104,7 @@ bool EdgeFlipper::TurnsAway(
       Dot(pair.Frames[0].UnitNormal(), original), Dot(pair.Frames[1].UnitNormal(), original));
   };
   const double now = facing(after);
-  return now < LeastFacing * original.norm() && now < facing(before);
+  return now < MinFacing * original.norm() && now < facing(before);
 }
 
 //------------------------------------------------------------------------------

@@ -11,14 +11,14 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int MostSweeps = 8;
+constexpr int MaxSweeps = 8;
 /// A vertex whose faces use less of the bound stays.
 constexpr double RatioToMove = 0.9;
 /// A little less than the bound: what the samples miss.
 constexpr double Within = 0.99;
 /// A sweep must gain that much of the largest ratio, and the rest must be within reach of the sweeps that are left.
-constexpr double LeastGainOfSweep = 0.002;
-constexpr double MostHope = 1.2;
+constexpr double MinGainOfSweep = 0.002;
+constexpr double MaxHope = 1.2;
 }
 
 PatchFit::PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints, int rings)
@@ -207,7 +207,7 @@ double PatchFit::Improve(Vertex& vertex)
 
 //------------------------------------------------------------------------------
 /// Infinite if the rules do not allow a face.
-double PatchFit::LargestRatio()
+double PatchFit::MaxRatio()
 {
   double largest = 0.0;
   for (const Vertex& vertex : this->Vertices)
@@ -241,17 +241,17 @@ double PatchFit::Sweep()
 bool PatchFit::SweepUntilWithin()
 {
   double before = Infinity;
-  for (int sweep = 0; sweep < MostSweeps; ++sweep)
+  for (int sweep = 0; sweep < MaxSweeps; ++sweep)
   {
     const double largest = this->Sweep();
-    if (largest <= Within && this->LargestRatio() <= Within)
+    if (largest <= Within && this->MaxRatio() <= Within)
     {
       return true;
     }
     const double gain = before - largest;
-    const int left = MostSweeps - 1 - sweep;
-    if (!(gain > LeastGainOfSweep * largest) ||
-      (sweep > 0 && largest - Within > MostHope * gain * left))
+    const int left = MaxSweeps - 1 - sweep;
+    if (!(gain > MinGainOfSweep * largest) ||
+      (sweep > 0 && largest - Within > MaxHope * gain * left))
     {
       return false;
     }

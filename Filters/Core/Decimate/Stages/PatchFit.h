@@ -97,7 +97,7 @@ private:
   bool FlipImproves(const Edge& edge);
   void Flip(const Edge& edge);
   void FlipAround(std::size_t vertex, double ratio);
-  double LargestRatio();
+  double MaxRatio();
   double Sweep();
   bool SweepUntilWithin();
   Result Found(const EdgeNeighborhood& around) const;

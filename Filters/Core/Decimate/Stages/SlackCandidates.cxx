@@ -103,7 +103,7 @@ bool SlackCandidates::EvaluateEdge(
   double least = hopeless;
   for (const Vector3& position : positions)
   {
-    const double ratio = slack.LargestOfSamples(position, least);
+    const double ratio = slack.MaxOfSamples(position, least);
     if (ratio < least)
     {
       least = ratio;

@@ -68,7 +68,7 @@ public:
   /// Error of two faces at x, which have the edge from x to the second corner of the last one in common; other edges do not count.
   Value EvaluatePair(const Vector3& x, Index hint, double enough);
   /// The largest ratio of the samples of the original alone; infinite above that ratio.
-  double LargestOfSamples(const Vector3& x, double most);
+  double MaxOfSamples(const Vector3& x, double most);
 
   /// The nearest position of a fine grid. One step after the other would amplify the rounding of coordinates, which is another one at
   /// another distance from the origin.

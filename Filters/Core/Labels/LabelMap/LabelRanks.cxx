@@ -15,7 +15,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr std::size_t LargestTable = std::size_t(1) << 20U;
+constexpr std::size_t MaxTable = std::size_t(1) << 20U;
 constexpr std::size_t VoxelsInAPart = std::size_t(1) << 18U;
 
 /// Types of up to two bytes: a flag for each value.
@@ -128,7 +128,7 @@ LabelRanks::LabelRanks(std::vector<std::int64_t> labels)
   this->Least = this->Labels.front();
   const std::uint64_t range =
     static_cast<std::uint64_t>(this->Labels.back()) - static_cast<std::uint64_t>(this->Least);
-  if (range < LargestTable)
+  if (range < MaxTable)
   {
     this->Table.assign(range + 1, 0);
     for (std::size_t i = 0; i < this->Labels.size(); ++i)

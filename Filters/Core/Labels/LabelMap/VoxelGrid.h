@@ -111,7 +111,7 @@ struct VoxelGrid
       : static_cast<double>(end - first) * this->Spacing[2];
   }
   /// The largest distance of neighboring voxels along each axis, mm.
-  Vector3 LargestSpacing() const;
+  Vector3 MaxSpacing() const;
   /// The volume of a parallelepiped of unit edges along the axes, and the area of that across an
   /// axis: 1 where the grid is not sheared.
   double UnitVolume() const;

@@ -140,7 +140,7 @@ std::int64_t GuessBelow(const TrianglePlane& plane, std::int64_t first, std::int
                           : lattice.AtOrBelow(axis, static_cast<std::int64_t>(height));
 }
 
-std::int64_t HighestBelow(const TrianglePlane& plane, std::int64_t low, std::int64_t high,
+std::int64_t MaxBelow(const TrianglePlane& plane, std::int64_t low, std::int64_t high,
   const CenterLattice& lattice, std::size_t axis)
 {
   const std::int64_t first = lattice.AtOrAbove(axis, low);
@@ -182,6 +182,6 @@ ColumnCrossing CrossColumn(const FixedTriangle& corners, const FixedBox& box, co
     return {};
   }
   const TrianglePlane plane(a, b, c, p, side);
-  return { side, HighestBelow(plane, low[0], high[0], lattice, column.Axis) };
+  return { side, MaxBelow(plane, low[0], high[0], lattice, column.Axis) };
 }
 }

@@ -27,7 +27,7 @@
 namespace bonedecimate
 {
 /// The largest side of a box for which the predicates are exact.
-constexpr std::int64_t LargestPatch = UnitsOfVoxel << 10;
+constexpr std::int64_t MaxPatch = UnitsOfVoxel << 10;
 
 struct Column
 {

@@ -12,7 +12,7 @@
  *                    the rim of an open surface
  *
  * The margin exceeds the rounding of programs that voxelize the result. Triangles that are never
- * changed may be nearer. Edits larger than LargestPatch (1024 voxels) are rejected. Only the edit
+ * changed may be nearer. Edits larger than MaxPatch (1024 voxels) are rejected. Only the edit
  * itself is read, so none is deferred, and nothing has to be committed.
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_VoxelGuard_h

@@ -182,7 +182,7 @@ bool VoxelPatch::KeepsLabels(bool isOpen)
     return true;
   }
   const FixedBox box = this->Box();
-  if (box.Size() > LargestPatch)
+  if (box.Size() > MaxPatch)
   {
     return false;
   }

@@ -42,7 +42,7 @@ public:
   void AddNewRim(const FixedPoint& from, const FixedPoint& to, double margin);
 
   /// Whether every voxel center keeps its labels. False, too, if the
-  /// patches are larger than LargestPatch.
+  /// patches are larger than MaxPatch.
   bool KeepsLabels(bool isOpen);
 
   /// Whether a new triangle is nearer to a voxel center than that.

@@ -68,7 +68,7 @@ enum class SlabStatus : int
 struct SlabFigures
 {
   std::int64_t Slabs = 0;         ///< With triangles.
-  std::int64_t LargestSlab = 0;   ///< Input triangles.
+  std::int64_t MaxSlab = 0;       ///< Input triangles.
   std::int64_t UnprovedSlabs = 0; ///< That stayed as they were, because no proof was found.
   /// Components of the whole surface, connected by common points.
   std::int64_t ComponentsBefore = 0;

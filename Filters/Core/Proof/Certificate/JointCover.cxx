@@ -13,14 +13,14 @@ namespace
 constexpr std::size_t Group = 4;
 
 /// mm^2; the squares of shorter lengths underflow, and the slack is longer (Foot.h).
-constexpr double LeastSquared = 1e-300;
+constexpr double MinSquared = 1e-300;
 
 /// A vector of length 1; any such vector across the axis if there is only rounding error.
 Vector3 Across(const Vector3& axis, const Vector3& from)
 {
   const Vector3 first = from - Dot(axis, from) * axis;
   const Vector3 second = first - Dot(axis, first) * axis;
-  if (second.squaredNorm() > std::max(LeastSquared, 0.5 * first.squaredNorm()))
+  if (second.squaredNorm() > std::max(MinSquared, 0.5 * first.squaredNorm()))
   {
     return second.normalized();
   }
@@ -39,7 +39,7 @@ double Positive(double x)
 //------------------------------------------------------------------------------
 JointCover::JointCover()
 {
-  this->Known.reserve(MostCorners);
+  this->Known.reserve(MaxCorners);
 }
 
 //------------------------------------------------------------------------------
@@ -83,15 +83,15 @@ bool JointCover::Has(Index id) const
 //------------------------------------------------------------------------------
 bool JointCover::Add(const Corners& candidate, Index id)
 {
-  if (this->Count == MostCandidates || this->Has(id))
+  if (this->Count == MaxCandidates || this->Has(id))
   {
-    return this->Count < MostCandidates;
+    return this->Count < MaxCandidates;
   }
   const Vector3 ab = candidate[1] - candidate[0];
   const Vector3 ac = candidate[2] - candidate[0];
-  const Vector3& longer = ab.squaredNorm() > LeastSquared ? ab : ac;
+  const Vector3& longer = ab.squaredNorm() > MinSquared ? ab : ac;
   const Vector3 u =
-    longer.squaredNorm() > LeastSquared ? Vector3(longer.normalized()) : Vector3(Vector3::UnitX());
+    longer.squaredNorm() > MinSquared ? Vector3(longer.normalized()) : Vector3(Vector3::UnitX());
   const Vector3 v = Across(u, ac);
   const Vector3 w = u.cross(v);
   const double bAlong = Dot(u, ab);
@@ -119,7 +119,7 @@ bool JointCover::Add(const Corners& candidate, Index id)
       const double du = side.ToU - side.FromU;
       const double dv = side.ToV - side.FromV;
       const double squared = du * du + dv * dv;
-      const double length = squared > LeastSquared ? std::sqrt(squared) : 0.0;
+      const double length = squared > MinSquared ? std::sqrt(squared) : 0.0;
       const double alongU = length > 0.0 ? du / length : (k == 1 ? -1.0 : 1.0); // nothing is inside
       const double alongV = length > 0.0 ? dv / length : 0.0;
       this->AlongU[k][i] = alongU;

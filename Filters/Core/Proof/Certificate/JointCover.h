@@ -15,7 +15,7 @@
  * Rounding. A candidate is measured in coordinates of its own, of which two lie in its plane. Their axes are orthogonal but for a
  * few u, for needles, too, so distances to the plane and to the sides are wrong by less than 100 u of the extent. A foot on the
  * inner side of all sides by more than the slack is in the triangle. Of the corners each is the middle of two others, at most
- * MostCorners times in a row (Foot.h).
+ * MaxCorners times in a row (Foot.h).
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_JointCover_h
 #define BoneDecimate_Core_Proof_Certificate_JointCover_h
@@ -32,8 +32,8 @@ namespace bonedecimate::certificate
 class JointCover
 {
 public:
-  static constexpr std::size_t MostCandidates = 64;
-  static constexpr std::size_t MostCorners = 100; ///< Largest number of corners of all pieces.
+  static constexpr std::size_t MaxCandidates = 64;
+  static constexpr std::size_t MaxCorners = 100; ///< Largest number of corners of all pieces.
 
   enum class Outcome : int
   {
@@ -47,7 +47,7 @@ public:
   /// Starts without candidates and with nothing to cover.
   /// @param slack mm, more than the rounding error of a coordinate in the frame of a candidate.
   void Begin(double slack);
-  /// Adds a convex polygon to what is to be covered.  @param count Of all polygons, at most MostCorners.
+  /// Adds a convex polygon to what is to be covered.  @param count Of all polygons, at most MaxCorners.
   void Cover(const Vector3* corners, std::size_t count);
   /// Adds a part that is known to have this bound, mm.
   void Raise(double upper);
@@ -56,7 +56,7 @@ public:
   bool Has(Index id) const;
 
   /// Continues with the pieces that are not closed.  @param limit mm, not smaller than before.
-  /// @param mostCorners At most MostCorners.
+  /// @param mostCorners At most MaxCorners.
   Outcome Run(double limit, std::size_t mostCorners);
   /// mm, the largest bound of a closed piece: a bound of everything if it is covered.
   double Upper() const;
@@ -68,7 +68,7 @@ public:
 private:
   using Set = std::uint64_t; // a bit for each candidate
   template <typename T>
-  using PerCandidate = std::array<T, MostCandidates>;
+  using PerCandidate = std::array<T, MaxCandidates>;
 
   struct Corner
   {

@@ -11,14 +11,14 @@ namespace bonedecimate::certificate
 namespace
 {
 /// Least height of T over the longer of its sides at the first corner, as a ratio of that side.
-constexpr double LeastHeight = 3e-2;
+constexpr double MinHeight = 3e-2;
 /// Least cosine of the angle between the direction of the projection and the normal of T; with a
 /// smaller one it is the normal.
-constexpr double LeastCosine = 0.5;
+constexpr double MinCosine = 0.5;
 /// More triangles over T take longer than cutting T.
-constexpr std::size_t MostTriangles = 4096;
+constexpr std::size_t MaxTriangles = 4096;
 /// With more corners of parts that are far, all of T is covered in another way.
-constexpr std::size_t MostFarCorners = 60;
+constexpr std::size_t MaxFarCorners = 60;
 /// Relative error of a predicate and of the clipped coordinates, about 90 u.
 constexpr double PredicateError = 1e-14;
 constexpr double ClipMargin = 1e-14;
@@ -88,7 +88,7 @@ bool OverlayCover::Find(const Corners& triangle, const Triangle& seeds, double l
   }
   for (std::size_t at = 0; at < this->Visited.size(); ++at)
   {
-    if (at == MostTriangles || this->FarCorners > MostFarCorners ||
+    if (at == MaxTriangles || this->FarCorners > MaxFarCorners ||
       !this->Visit(this->Visited[at], limit))
     {
       return false;
@@ -141,7 +141,7 @@ bool OverlayCover::Begin(const Corners& triangle, const Triangle& seeds)
   const double cc = this->AC.squaredNorm();
   const double determinant = bb * cc - bc * bc;
   const double longer = std::max(bb, cc); // squared
-  if (!(determinant > LeastHeight * LeastHeight * longer * longer))
+  if (!(determinant > MinHeight * MinHeight * longer * longer))
   {
     return false;
   }
@@ -157,7 +157,7 @@ void OverlayCover::Incline(const Vector3& direction)
 {
   const Vector3 normal = this->AB.cross(this->AC).normalized();
   const double cosine = Dot(normal, direction);
-  if (cosine * cosine > LeastCosine * LeastCosine * direction.squaredNorm())
+  if (cosine * cosine > MinCosine * MinCosine * direction.squaredNorm())
   {
     this->TowardB -= Dot(this->TowardB, direction) / cosine * normal;
     this->TowardC -= Dot(this->TowardC, direction) / cosine * normal;

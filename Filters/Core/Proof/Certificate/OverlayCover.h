@@ -20,7 +20,7 @@
  * Rounding. The map is defined by the computed coordinates of the points and is linear on each triangle; the proof holds for
  * any x - t. Predicates are exact comparisons of these coordinates or have an error bound, and in doubt an edge meets T. An
  * image is clipped at T widened by ClipMargin, so that the polygon contains the exact one; its corners carry coordinates and
- * positions. T must not be thinner than LeastHeight, so the rounding error of a corner is below 1000 u of the extent (Foot.h).
+ * positions. T must not be thinner than MinHeight, so the rounding error of a corner is below 1000 u of the extent (Foot.h).
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_OverlayCover_h
 #define BoneDecimate_Core_Proof_Certificate_OverlayCover_h

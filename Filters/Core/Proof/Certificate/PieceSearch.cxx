@@ -13,7 +13,7 @@ namespace
 constexpr int DeepestCover = 8;
 constexpr int CoverPeriod = 2;
 /// Triangles of an overlay that become candidates of a joint cover; the others are found while it is made.
-constexpr std::size_t MostMet = 32;
+constexpr std::size_t MaxMet = 32;
 /// Largest distance of a point of a triangle, or of a segment, to its nearest corner, divided by the longest edge.
 double CoveringRatio(int corners)
 {
@@ -29,7 +29,7 @@ Corners PositionsOf(const Piece& piece)
 
 //------------------------------------------------------------------------------
 PieceSearch::PieceSearch(const Simplices& source, const Target& target, const PointValues& values,
-  const SearchGoal& goal, const LargestExcess& largest)
+  const SearchGoal& goal, const MaxExcess& largest)
   : Source(source)
   , To(target)
   , Values(values)
@@ -49,7 +49,7 @@ double PieceSearch::ClosingBound() const
     return limit;
   }
   const double gap =
-    std::max(this->Goal.LeastGap, this->Goal.RelativeGap * (this->Most.Value + this->Goal.Scale));
+    std::max(this->Goal.MinGap, this->Goal.RelativeGap * (this->Most.Value + this->Goal.Scale));
   return std::max(limit, this->Most.Value + gap);
 }
 
@@ -75,7 +75,7 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
     }
     if (piece.Upper <= this->ClosingBound() || piece.Depth == DeepestCut)
     {
-      this->MostClosed = std::max(this->MostClosed, piece.Upper);
+      this->MaxClosed = std::max(this->MaxClosed, piece.Upper);
     }
     else
     {
@@ -92,15 +92,15 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
 //------------------------------------------------------------------------------
 double PieceSearch::UpperOf(Index simplex, std::int64_t mostCuts)
 {
-  this->Most = LargestExcess();
-  this->MostClosed = -Infinity;
+  this->Most = MaxExcess();
+  this->MaxClosed = -Infinity;
   const Piece whole = this->Whole(simplex);
   for (int i = 0; i < whole.Count; ++i)
   {
     this->Learn(whole.Corners[i], simplex);
   }
   const double left = this->Explore(simplex, mostCuts);
-  return std::max(left, this->MostClosed);
+  return std::max(left, this->MaxClosed);
 }
 
 //------------------------------------------------------------------------------
@@ -140,7 +140,7 @@ bool PieceSearch::CloseAsSame(const Piece& whole)
   {
     return false;
   }
-  this->MostClosed = std::max(this->MostClosed, 0.0 - this->To.Tolerance(same) - leastTolerance);
+  this->MaxClosed = std::max(this->MaxClosed, 0.0 - this->To.Tolerance(same) - leastTolerance);
   return true;
 }
 
@@ -234,7 +234,7 @@ void PieceSearch::BoundByCovers(Piece& piece, Index simplex)
     this->Joint.Begin(this->Goal.Slack);
     this->Joint.Cover(positions.data(), 3);
     const std::vector<Index>& met = this->Cover->Met();
-    for (std::size_t i = 0; i < std::min(met.size(), MostMet); ++i)
+    for (std::size_t i = 0; i < std::min(met.size(), MaxMet); ++i)
     {
       this->Joint.Add(this->To.CornersOf(met[i]), met[i]);
     }
@@ -285,7 +285,7 @@ void PieceSearch::BoundJointly(Piece& piece, Index simplex)
   for (bool goesOn = true; goesOn;)
   {
     const double limit = this->Limit();
-    const JointCover::Outcome outcome = this->Joint.Run(limit, JointCover::MostCorners);
+    const JointCover::Outcome outcome = this->Joint.Run(limit, JointCover::MaxCorners);
     if (outcome == JointCover::Outcome::Covered)
     {
       piece.Upper = std::min(piece.Upper, this->Joint.Upper() + this->Goal.Slack);

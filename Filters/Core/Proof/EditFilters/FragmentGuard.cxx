@@ -13,7 +13,7 @@ namespace bonedecimate
 namespace
 {
 /// A closed fragment keeps at least this part of its volume.
-constexpr double LeastVolumeRatio = 0.25;
+constexpr double MinVolumeRatio = 0.25;
 /// A vertex is edited by its own move and by flips of its edges: about
 /// three edges a vertex, and a margin.
 constexpr double EditsOfVertex = 8.0;
@@ -72,9 +72,8 @@ std::vector<char> FragmentGuard::FindTooSmall(const HalfEdgeMesh& mesh) const
   {
     const Volume& volume = this->Volumes[i];
     isTooSmall[i] =
-      volume.IsClosed && volume.AtFirst != 0.0 && volumes[i] / volume.AtFirst < LeastVolumeRatio
-      ? 1
-      : 0;
+      volume.IsClosed && volume.AtFirst != 0.0 && volumes[i] / volume.AtFirst < MinVolumeRatio ? 1
+                                                                                               : 0;
   }
   return isTooSmall;
 }
@@ -92,7 +91,7 @@ void FragmentGuard::DistributeBudget(const HalfEdgeMesh& mesh)
   {
     Volume& volume = this->Volumes[i];
     volume.Now = volumes[i];
-    const double left = std::abs(volume.Now) - LeastVolumeRatio * std::abs(volume.AtFirst);
+    const double left = std::abs(volume.Now) - MinVolumeRatio * std::abs(volume.AtFirst);
     volume.Budget = std::max(0.0, left) / (EditsOfVertex * std::max(1, vertices[i]));
   }
 }
@@ -120,7 +119,7 @@ bool FragmentGuard::MayChange(const ProposedEdit& edit, int workers) const
   {
     return true;
   }
-  const double spare = (volume.Now / volume.AtFirst - LeastVolumeRatio) / workers;
+  const double spare = (volume.Now / volume.AtFirst - MinVolumeRatio) / workers;
   return spare + edit.Unsettled->Of(component) / volume.AtFirst + change >= 0.0;
 }
 

@@ -64,7 +64,7 @@ public:
   {
     return this->Errors[static_cast<std::size_t>(vertex)];
   }
-  double LargestError() const { return this->Largest; } ///< mm; maxError of the thesis.
+  double MaxError() const { return this->Largest; } ///< mm; maxError of the thesis.
 
   /// For each point of the original surface a triangle at it.
   std::vector<Index> TrianglesAtPoints() const;

@@ -96,7 +96,7 @@ public:
   }
 
   /// mm, of the finite limits; little more than 0 without any.
-  float LargestLimit() const { return this->Largest; }
+  float MaxLimit() const { return this->Largest; }
 
 private:
   using CurrentVertices = std::vector<Index>; // of each original vertex

@@ -104,7 +104,7 @@ private:
 std::vector<Triangle> FillByLeastArea(
   const std::vector<Vector3>& contour, const std::function<bool(Index, Index)>& isAllowed)
 {
-  if (contour.size() < 3 || contour.size() > MostPointsOfLeastArea)
+  if (contour.size() < 3 || contour.size() > MaxPointsOfLeastArea)
   {
     return {};
   }

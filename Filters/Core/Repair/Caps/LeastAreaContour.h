@@ -19,14 +19,14 @@
 namespace bonedecimate
 {
 /// Time grows with the third power of the number of points.
-constexpr std::size_t MostPointsOfLeastArea = 512;
+constexpr std::size_t MaxPointsOfLeastArea = 512;
 
 /**
  * @param contour mm, in the direction of the triangles; need not lie in a plane.
  * @param isAllowed Whether a triangle may have the edge between two points that
  * are not neighbors on the contour.
  * @returns Two triangles fewer than the contour has points; none if no triangulation is allowed, or
- *   if the contour has fewer than 3 points or more than MostPointsOfLeastArea.
+ *   if the contour has fewer than 3 points or more than MaxPointsOfLeastArea.
  */
 std::vector<Triangle> FillByLeastArea(
   const std::vector<Vector3>& contour, const std::function<bool(Index, Index)>& isAllowed);

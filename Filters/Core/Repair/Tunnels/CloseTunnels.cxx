@@ -74,7 +74,7 @@ public:
     {
       return false;
     }
-    if (this->Size == MostAtATime)
+    if (this->Size == MaxAtATime)
     {
       this->Size = 0;
       this->Last = {};
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  static constexpr int MostAtATime = 48; // of 64 words: few are dependent by chance
+  static constexpr int MaxAtATime = 48; // of 64 words: few are dependent by chance
   std::set<std::uint64_t> Seen;
   WordBasis Last;
   int Size = 0;
@@ -308,8 +308,8 @@ private:
         replaced.Triangles.push_back(this->Plugged.Whole.Triangles[t]);
       }
     }
-    return std::max(LargestDistanceTo(this->Plugged.Tree, plugs),
-      LargestDistanceTo(BoundingTree(plugs, this->Threads), replaced));
+    return std::max(MaxDistanceTo(this->Plugged.Tree, plugs),
+      MaxDistanceTo(BoundingTree(plugs, this->Threads), replaced));
   }
 
   struct KeptState

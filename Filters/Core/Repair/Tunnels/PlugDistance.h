@@ -17,7 +17,7 @@ namespace bonedecimate
  * @return mm, an upper bound of the largest distance of a point of the triangles to the surface;
  *   too large by at most 2 % and a hundredth of the largest triangle's radius. 0 without triangles.
  */
-double LargestDistanceTo(const BoundingTree& surface, const Surface& triangles);
+double MaxDistanceTo(const BoundingTree& surface, const Surface& triangles);
 }
 
 #endif

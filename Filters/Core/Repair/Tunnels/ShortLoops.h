@@ -9,7 +9,7 @@
  *     for each   shortest paths to all points within half of the length (Dijkstra), with the
  *                signature of each path
  *                an edge between two of these points closes a loop; the shortest of each signature
- *                is kept, at most MostLoopsOfSeed
+ *                is kept, at most MaxLoopsOfSeed
  *
  * I. Guskov, Z. Wood, Topological noise removal, 2001, and Z. Wood, H. Hoppe, M. Desbrun, P.
  * Schroeder, Removing excess topology from isosurfaces, 2004: tunnels by their shortest loops.
@@ -26,7 +26,7 @@
 namespace bonedecimate
 {
 /// So that memory stays small where a great length lets every seed reach all handles.
-constexpr std::size_t MostLoopsOfSeed = 32;
+constexpr std::size_t MaxLoopsOfSeed = 32;
 
 struct ShortLoop
 {

@@ -28,7 +28,7 @@ Certificate DistanceOf(
   CertificateOptions question;
   question.Tolerance = options.MaximumError;
   question.RelativeGap = TriangleGap;
-  question.LeastGap = WholeGap * options.MaximumError;
+  question.MinGap = WholeGap * options.MaximumError;
   question.ReferenceTriangleGap = TriangleGap * options.MaximumError;
   question.ResultTriangleGap = question.ReferenceTriangleGap;
   question.WithBoundaries = options.MergePoints;
@@ -36,7 +36,7 @@ Certificate DistanceOf(
   return Certify(reference, input, question, monitor);
 }
 
-double LargestCoordinateOf(const Surface& surface)
+double MaxCoordinateOf(const Surface& surface)
 {
   double largest = 0.0;
   for (const Triangle& triangle : surface.Triangles)
@@ -63,7 +63,7 @@ void RaiseToNearest(const Surface& reference, const std::vector<double>& bounds,
 {
   const BoundingTree tree(input, threads);
   const double rounding =
-    RelativeSlack * std::max(LargestCoordinateOf(reference), LargestCoordinateOf(input));
+    RelativeSlack * std::max(MaxCoordinateOf(reference), MaxCoordinateOf(input));
   for (std::size_t r = 0; r < bounds.size(); ++r)
   {
     const std::array<Vector3, 3> c = CornersOf(reference, static_cast<Index>(r));

@@ -37,7 +37,7 @@ void FindSource(const Surface& input, const LabelMapSource* labelMap, SmoothingP
 void PlanByVoxels(const VoxelGrid& grid, const Options& options, SmoothingPlan& plan)
 {
   const double least = grid.Spacing.minCoeff();
-  const double most = grid.LargestSpacing().maxCoeff();
+  const double most = grid.MaxSpacing().maxCoeff();
   const double error = options.MaximumError;
   plan.InVoxels = most >= ThickSlices * least && (error == 0.0 || error >= most);
   plan.Radius = 0.5 * (plan.InVoxels ? most : least);

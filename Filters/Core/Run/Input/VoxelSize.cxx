@@ -213,8 +213,8 @@ VoxelFigures ApplyPreset(const Surface& surface, Options& options)
     voxel.Size = estimate.Least();
     voxel.Error = estimate.RelativeError * voxel.Size;
   }
-  voxel.LargestError = options.LargestError(voxel.Size);
-  options.MaximumError = voxel.LargestError;
+  voxel.MaxError = options.MaxError(voxel.Size);
+  options.MaximumError = voxel.MaxError;
   options.ErrorPreset = ErrorPreset::NoPreset;
   return voxel;
 }

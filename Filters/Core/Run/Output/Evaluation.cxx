@@ -83,11 +83,10 @@ public:
       report.Output.Volume -=
         VolumeOfWalls(this->Run.LocalResult, this->Output.BoundaryLabels, *map, threads);
     }
-    if (this->Run.SmallestPart > 0.0)
+    if (this->Run.MinPart > 0.0)
     {
       this->Parts.emplace(this->Run.Cleaned, this->Run.Inputs);
-      report.Parts =
-        this->Parts->Compare(editor.Mesh(), this->Run.LocalResult, this->Run.SmallestPart);
+      report.Parts = this->Parts->Compare(editor.Mesh(), this->Run.LocalResult, this->Run.MinPart);
     }
   }
 
@@ -129,8 +128,8 @@ public:
     Report& report = this->Output.Report;
     if (report.Input.Components > 1)
     {
-      report.Gap = { WithJoined(this->Run.Cleaned, LeastFragmentGap),
-        LeastFragmentGap(this->Run.LocalResult) };
+      report.Gap = { WithJoined(this->Run.Cleaned, MinFragmentGap),
+        MinFragmentGap(this->Run.LocalResult) };
       report.FragmentGapMeasured = true;
     }
   }

@@ -40,7 +40,7 @@ struct EvaluatedRun
   bool IsProvedNext;          ///< whether a certificate of surfaces and boundaries follows
   const RunInputs& Inputs;
   std::shared_ptr<const SizingField> Sizes; ///< Local lengths of edges; null: none.
-  double SmallestPart; ///< mm^3, PartComparison::SmallestVolume; 0: parts are not compared.
+  double MinPart; ///< mm^3, PartComparison::MinVolume; 0: parts are not compared.
 };
 
 /// Progress at which the evaluation begins and ends, 0 to 1.

@@ -52,7 +52,7 @@ std::vector<std::array<Vector3, 3>> ShapesOf(
 
 /// mm, no point of the shapes is farther from the surface; not a number
 /// without shapes or without a surface.
-double LargestDistance(
+double MaxDistance(
   const std::vector<std::array<Vector3, 3>>& shapes, const Surface& surface, int threads);
 }
 

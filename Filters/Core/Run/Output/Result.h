@@ -19,9 +19,10 @@ namespace bonedecimate
 /// alone, each point and triangle corresponds to itself, even if another one is nearer.
 struct SurfaceOrigins
 {
-  std::vector<Index> NearestTriangle;             ///< Input triangle nearest to each output point.
-  std::vector<std::array<double, 3>> Barycentric; ///< Coordinates of the nearest point in that triangle, sum 1.
-  std::vector<Index> NearestPoint;                ///< Input point nearest to each output point.
+  std::vector<Index> NearestTriangle; ///< Input triangle nearest to each output point.
+  std::vector<std::array<double, 3>>
+    Barycentric;                   ///< Coordinates of the nearest point in that triangle, sum 1.
+  std::vector<Index> NearestPoint; ///< Input point nearest to each output point.
   std::vector<Index>
     TriangleAtCentroid; ///< Input triangle nearest to each output triangle's centroid; one of its label.
   std::vector<Index>

@@ -39,7 +39,7 @@ CertificateOptions ProofOptions(const Options& options, const std::vector<double
   }
   question.ResultTriangleGap = TriangleGap * largest;
   question.RelativeGap = WholeGap;
-  question.LeastGap = WholeGap * largest;
+  question.MinGap = WholeGap * largest;
   question.WithBoundaries = options.MergePoints;
   question.ReferenceTriangleGap = options.MeasureInputDistances ? question.ResultTriangleGap : 0.0;
   question.NumberOfThreads = options.NumberOfThreads;

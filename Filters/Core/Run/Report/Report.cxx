@@ -140,7 +140,7 @@ std::string CoarseMessage(const CleaningStatistics& found, double gridStep)
   std::snprintf(text, sizeof(text),
     "%s alone moves %lld points farther than the largest error or their tolerances allow, by up to "
     "%.3g mm, the first is point %lld; %s leaves them where they are",
-    rounding, static_cast<long long>(found.CoarsePoints), found.LargestRounding,
+    rounding, static_cast<long long>(found.CoarsePoints), found.MaxRounding,
     static_cast<long long>(found.FirstCoarsePoint), remedy);
   return text;
 }
