@@ -91,7 +91,7 @@ TEST_P(EachSplit, LeavesManifoldPatchesWithStationaryDuplicates)
   for (std::size_t v = 0; v < originals.size(); ++v)
   {
     EXPECT_EQ(order[clean.ManifoldPatches.OriginalVertices[v]], originals[order[v]])
-      << "duplicates take the places that sorting all points gives them";
+      << "duplicates are where sorting all points puts them";
   }
   const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
   EXPECT_EQ(BrokenInvariant(mesh), "");
