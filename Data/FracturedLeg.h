@@ -17,8 +17,8 @@ namespace phantom
 /// HU with the blur of the scanner, without its noise.
 double LegValue(const Point& p);
 
-/// What a segmentation of the leg with the fracture reduced would say: 1 and 2 are the tibia above and below the fracture, which
-/// touch there; 3 is the fibula, and 0 everything else.
+/// What a segmentation of the leg with the fracture reduced would say: 1 and 2 are the tibia above
+/// and below the fracture, which touch there; 3 is the fibula, and 0 everything else.
 int LegLabel(const Point& p);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PhantomMain.cxx
- * @brief bonedecimate-phantom: writes a synthetic CT of a broken leg, a label map of its bones, or a
- * micro-CT of trabecular bone.
+ * @brief bonedecimate-phantom: writes a synthetic CT of a broken leg, a label map of its bones, or
+ * a micro-CT of trabecular bone.
  */
 #include "FracturedLeg.h"
 #include "Trabeculae.h"
@@ -25,7 +25,8 @@ struct Scan
   int Decimals;           ///< Of the spacing in the header.
 };
 
-/// The whole of the bone, also on a grid as fine as that of a clinical CT, or the fracture alone on a coarser grid.
+/// The whole of the bone, also on a grid as fine as that of a clinical CT, or the fracture alone on
+/// a coarser grid.
 const Scan NormalScan{ { { 192, 192, 152 } }, { 0.6, 0.6, 1.0 }, { -54.3, -49.3, -141.0 }, 1 };
 const Scan LargeScan{ { { 512, 512, 274 } }, { 0.225, 0.225, 0.555 }, { -54.3, -49.3, -141.0 }, 3 };
 const Scan SmallScan{ { { 84, 84, 48 } }, { 0.9, 0.9, 1.5 }, { -34.0, -35.0, -120.0 }, 1 };
@@ -66,7 +67,8 @@ void AddIntensity(const phantom::Point& p, const std::array<int, 3>& at, std::ve
   bytes.push_back(static_cast<char>((rounded >> 8) & 0xff));
 }
 
-/// Appends a layer of the leg: intensities as little-endian 16-bit values, labels as bytes; the first axis runs fastest.
+/// Appends a layer of the leg: intensities as little-endian 16-bit values, labels as bytes; the
+/// first axis runs fastest.
 void AppendLegLayer(const Scan& scan, Content content, int k, std::vector<char>& bytes)
 {
   for (int j = 0; j < scan.Size[1]; ++j)

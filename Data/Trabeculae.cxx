@@ -13,7 +13,8 @@ constexpr double Threshold = 0.60;  // of the gyroid, from -1.5 to 1.5, at the m
 constexpr double Contrast = 1600.0; // gray levels by which one unit of the gyroid differs
 constexpr int NoiseLevels = 17;     // gray levels
 
-/// A sine of parabolas, because libm's has not the same bytes on every system. @param at Periods, not negative.
+/// A sine of parabolas, because libm's has not the same bytes on every system. @param at Periods,
+/// not negative.
 double Wave(double at)
 {
   const double x = at - static_cast<double>(static_cast<std::int64_t>(at));

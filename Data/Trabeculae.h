@@ -4,8 +4,9 @@
  * @file Trabeculae.h
  * @brief What a micro-CT would measure in a cube of trabecular bone, layer by layer.
  *
- * A gyroid, whose solid is a network of rods, with noise that makes rods thin out, break and grow together to plates. The surface at 127.5
- * has about .03 triangles per voxel, so that 1,500 voxels along each axis give 10^8.
+ * A gyroid, whose solid is a network of rods, with noise that makes rods thin out, break and grow
+ * together to plates. The surface at 127.5 has about .03 triangles per voxel, so that 1,500 voxels
+ * along each axis give 10^8.
  */
 #ifndef BoneDecimate_Data_Trabeculae_h
 #define BoneDecimate_Data_Trabeculae_h
@@ -22,7 +23,8 @@ public:
   /// @param size Voxels along each axis.
   explicit Trabeculae(int size);
 
-  /// Appends the voxels of a layer: 0 in marrow, 255 in bone, some voxels of blur between them, noise.
+  /// Appends the voxels of a layer: 0 in marrow, 255 in bone, some voxels of blur between them,
+  /// noise.
   void AppendLayer(int k, std::vector<char>& bytes);
 
 private:

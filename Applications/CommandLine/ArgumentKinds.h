@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ArgumentKinds.h
- * @brief What does not go together on the command line: what each argument needs, and what each kind of run lacks.
+ * @brief What does not go together on the command line: what each argument needs, and what each
+ * kind of run lacks.
  */
 #ifndef BoneDecimate_Applications_ArgumentKinds_h
 #define BoneDecimate_Applications_ArgumentKinds_h

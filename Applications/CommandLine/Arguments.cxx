@@ -307,8 +307,8 @@ void TakeFiles(Arguments& arguments)
   }
   if (!arguments.Format.empty() && arguments.Segments.IsRequested())
   {
-    arguments.Given["format"] =
-      LowerCase(arguments.Format); // of files whose names are not those of the command line
+    // of files whose names are not those of the command line
+    arguments.Given["format"] = LowerCase(arguments.Format);
   }
   if (arguments.LabelMap.Label != 0)
   {

@@ -30,8 +30,8 @@ struct Arguments
   std::vector<std::string> Inputs; ///< While parsing the output, too.
   std::string Output;              ///< A file for one bone, a folder for many.
   bonedecimate::Options Options;
-  std::map<std::string, std::string>
-    Given;                   ///< Options of the command line: flag without dashes and value.
+  /// Options of the command line: flag without dashes and value.
+  std::map<std::string, std::string> Given;
   std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
   SegmentArguments Segments;
   double FillVolume = 0.0;  ///< mm3, of cavities of volumes; 0: fills none.
@@ -53,8 +53,8 @@ struct Arguments
   bool PictureIsRequired = true; ///< If it cannot be drawn, that is an error and not a warning.
   /// @}
 
-  std::string
-    Format; ///< Extension of outputs in a folder; empty: that of each input, vtp for volumes.
+  /// Extension of outputs in a folder; empty: that of each input, vtp for volumes.
+  std::string Format;
 
   /// @name Many bones only. @{
   int Jobs = 0; ///< 0: not given.
@@ -92,7 +92,8 @@ void AddOptionOfTable(CLI::App& app, const OptionInfo& info, const OptionReceive
 /// Sets an option of the table from a text that was validated, and notes that it was given.
 void GiveOption(Arguments& arguments, const OptionInfo& info, const std::string& text);
 
-/// Completes the arguments after parsing: the last file is the output. @throws Failure(ExitCode::Usage)
+/// Completes the arguments after parsing: the last file is the output. @throws
+/// Failure(ExitCode::Usage)
 void TakeFiles(Arguments& arguments);
 
 /// Whether there are many bones, and the output is a folder for them.
@@ -111,7 +112,8 @@ void CheckArguments(const Arguments& arguments);
 /// What the options that were given and have no effect need, a sentence each.
 std::vector<std::string> IneffectiveSentences(const Arguments& arguments);
 
-/// The files of a run of one bone: surfaces, report, page, heat map and picture; empty where one is not requested.
+/// The files of a run of one bone: surfaces, report, page, heat map and picture; empty where one is
+/// not requested.
 std::vector<std::string> OutputsOf(const Arguments& arguments);
 
 /// What the run does although other options may have been meant, a sentence each.

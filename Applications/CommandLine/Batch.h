@@ -15,8 +15,8 @@
 namespace bonedecimate
 {
 /**
- * Every bone in a process of its own, --jobs at once. Whenever one has ended, it gets a line on the standard output, and summary.csv is
- * written anew, whole.
+ * Every bone in a process of its own, --jobs at once. Whenever one has ended, it gets a line on the
+ * standard output, and summary.csv is written anew, whole.
  * @param self argv[0], to start ourselves again.
  * @returns The highest code of all bones.
  * @throws Failure(ExitCode::Interrupted) after every child has ended.

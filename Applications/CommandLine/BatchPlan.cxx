@@ -30,7 +30,8 @@ bool TakesVolumes(const Arguments& arguments)
   return arguments.Iso || arguments.Segments.IsRequested();
 }
 
-/// A file of a folder that was searched, or a folder with a volume, with the reason if it is no bone.
+/// A file of a folder that was searched, or a folder with a volume, with the reason if it is no
+/// bone.
 BatchBone BoneOf(const fs::path& path, bool takesVolumes)
 {
   BatchBone bone;

@@ -32,12 +32,13 @@ struct BatchBone
 };
 
 /**
- * Files in the order given, those of a folder sorted by name, with those of the folders in it: every file, every folder of a DICOM
- * series or TIFF slices, but hidden ones, those that --only leaves out, and the output folder. What is neither a surface nor a volume
- * has a reason instead of outputs and counts as Done, because the command line did not name it; a volume without --iso and --segments,
- * or a folder that cannot be read, counts as InputRejected.
- * @throws Failure(ExitCode::InputRejected) if there is no bone, Failure(ExitCode::Usage) if an output
- * is an input, or if --iso is given and there is no volume.
+ * Files in the order given, those of a folder sorted by name, with those of the folders in it:
+ * every file, every folder of a DICOM series or TIFF slices, but hidden ones, those that --only
+ * leaves out, and the output folder. What is neither a surface nor a volume has a reason instead of
+ * outputs and counts as Done, because the command line did not name it; a volume without --iso and
+ * --segments, or a folder that cannot be read, counts as InputRejected.
+ * @throws Failure(ExitCode::InputRejected) if there is no bone, Failure(ExitCode::Usage) if an
+ * output is an input, or if --iso is given and there is no volume.
  */
 std::vector<BatchBone> PlanBatch(const Arguments& arguments);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BatchTable.h
- * @brief What became of every bone of a batch: summary.csv for programs, a line of a table for people.
+ * @brief What became of every bone of a batch: summary.csv for programs, a line of a table for
+ * people.
  */
 #ifndef BoneDecimate_Applications_BatchTable_h
 #define BoneDecimate_Applications_BatchTable_h
@@ -34,7 +35,8 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows);
 /// The first line of the table.
 std::string BatchHeading(std::size_t nameWidth);
 
-/// The line of a row. @param nameWidth Of the longest name; a longer one moves the rest of its line.
+/// The line of a row. @param nameWidth Of the longest name; a longer one moves the rest of its
+/// line.
 std::string BatchLine(const BatchRow& row, std::size_t nameWidth);
 
 /// "12 files: 10 done, 1 skipped, 1 failed".

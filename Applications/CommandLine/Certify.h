@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Certify.h
- * @brief bonedecimate certify: proved bounds of the distance of two surfaces, and the voxels of a label map that one changes.
+ * @brief bonedecimate certify: proved bounds of the distance of two surfaces, and the voxels of a
+ * label map that one changes.
  */
 #ifndef BoneDecimate_Applications_Certify_h
 #define BoneDecimate_Applications_Certify_h
@@ -42,8 +43,8 @@ struct CertifyArguments
 };
 
 /**
- * Adds the command. Its code is Done if the tolerance is proved to be kept or none was given, and if no voxel has another label;
- * else Violated or Undecided.
+ * Adds the command. Its code is Done if the tolerance is proved to be kept or none was given, and
+ * if no voxel has another label; else Violated or Undecided.
  * It throws Failure and std::bad_alloc.
  */
 void AddCertifyCommand(CLI::App& program, ExitCode& code);

@@ -40,7 +40,8 @@ std::string WithoutList(const std::string& word)
   return isList ? "./" + word : word;
 }
 
-/// Our validators continue the name of the flag: "--threads takes a number". CLI11 puts a colon in between.
+/// Our validators continue the name of the flag: "--threads takes a number". CLI11 puts a colon in
+/// between.
 std::string Sentence(const CLI::ParseError& error)
 {
   std::string text = error.what();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CommandLine.h
- * @brief The subcommands of the program and the parsing of a command line. A line without a subcommand is a decimation.
+ * @brief The subcommands of the program and the parsing of a command line. A line without a
+ * subcommand is a decimation.
  */
 #ifndef BoneDecimate_Applications_CommandLine_h
 #define BoneDecimate_Applications_CommandLine_h
@@ -17,7 +18,8 @@ namespace bonedecimate
 /// The subcommand of a command line that names none.
 extern const char* const DefaultCommand;
 
-/// @param usage What follows the name of the command; further lines are other forms of the same command.
+/// @param usage What follows the name of the command; further lines are other forms of the same
+///   command.
 CLI::App& AddCommand(CLI::App& program, const std::string& name,
   const std::vector<std::string>& usage, const std::string& description);
 
@@ -32,8 +34,8 @@ const CLI::App* FindCommand(const CLI::App& program, const std::string& name);
 void RunCommandLine(CLI::App& program, std::vector<std::string> words);
 
 /**
- * Rejects a first word that is neither a command nor a file, and names the command that may be meant. Words with a dot or a
- * slash are names of files.
+ * Rejects a first word that is neither a command nor a file, and names the command that may be
+ * meant. Words with a dot or a slash are names of files.
  * @throws Failure(ExitCode::Usage)
  */
 void RequireCommandOrFile(const CLI::App& program, const std::string& word);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DecimateCommand.h
- * @brief The default command in its two forms: the options of the program, and the words of the thesis.
+ * @brief The default command in its two forms: the options of the program, and the words of the
+ * thesis.
  */
 #ifndef BoneDecimate_Applications_DecimateCommand_h
 #define BoneDecimate_Applications_DecimateCommand_h

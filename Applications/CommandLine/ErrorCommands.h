@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ErrorCommands.h
- * @brief bonedecimate tolerance: the smallest error that can be proved for a number of triangles; bonedecimate curve: the
- * number of triangles for each of some errors.
+ * @brief bonedecimate tolerance: the smallest error that can be proved for a number of triangles;
+ * bonedecimate curve: the number of triangles for each of some errors.
  */
 #ifndef BoneDecimate_Applications_ErrorCommands_h
 #define BoneDecimate_Applications_ErrorCommands_h
@@ -41,8 +41,8 @@ struct ErrorArguments
 };
 
 /**
- * @name Add the commands. Their code is Done, or Violated if no run has as few triangles as requested.
- * They throw Failure and std::bad_alloc.
+ * @name Add the commands. Their code is Done, or Violated if no run has as few triangles as
+ * requested. They throw Failure and std::bad_alloc.
  * @{
  */
 void AddToleranceCommand(CLI::App& program, ExitCode& code);

@@ -28,7 +28,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// How far outside of a surface its result may lie where no error bounds it, as a fraction of the diagonal.
+/// How far outside of a surface its result may lie where no error bounds it, as a fraction of the
+/// diagonal.
 constexpr double MarginOfSize = 1.0 / 64.0;
 
 bool HasGrid(const SurfaceFormat* format)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FileGrid.h
- * @brief --position-bits: the grid of outputs whose coordinates are whole numbers (Formats/PointGrid.h).
+ * @brief --position-bits: the grid of outputs whose coordinates are whole numbers
+ * (Formats/PointGrid.h).
  *
  * The run rounds its points to this grid, so that what is proved is what these files hold.
  */
@@ -44,12 +45,14 @@ double GridStepFor(vtkPolyData* surface, double error, int bits, const std::stri
 /// "glb: coordinates are multiples of 0.0039 mm ..."
 std::string GridNote(double step, bool isBounded);
 
-/// A warning for each kind of doubt about a surface on a grid: points that coincide. @param mergesPoints Whether they did not before.
+/// A warning for each kind of doubt about a surface on a grid: points that coincide. @param
+/// mergesPoints Whether they did not before.
 std::vector<std::string> GridWarnings(vtkPolyData* surface, double step, bool mergesPoints);
 
 /**
- * The surface with the point array VertexColor (Formats/GlbFiles.h): the proved bound at each point, or the distance where nothing
- * is proved, from white at 0 to red at the largest error (without one: the largest value).
+ * The surface with the point array VertexColor (Formats/GlbFiles.h): the proved bound at each
+ * point, or the distance where nothing is proved, from white at 0 to red at the largest error
+ * (without one: the largest value).
  * @throws Failure(ExitCode::InputRejected) if the surface has neither.
  */
 vtkSmartPointer<vtkPolyData> WithErrorColors(

@@ -82,7 +82,8 @@ double LargestMove(vtkPolyData* result, vtkPolyData* inFile, const LengthUnit& u
   return std::sqrt(largest) * (1.0 + 8.0 * std::numeric_limits<double>::epsilon());
 }
 
-/// A copy whose proved bounds in the field data hold for the file. @param error What is kept then, mm; 0: as it is.
+/// A copy whose proved bounds in the field data hold for the file. @param error What is kept then,
+/// mm; 0: as it is.
 vtkSmartPointer<vtkPolyData> WithWidenedProof(vtkPolyData* result, double move, double error)
 {
   Json report = ReportOf(result);

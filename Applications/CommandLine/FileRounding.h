@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FileRounding.h
- * @brief A proved result in millimeters on its way to a file in another unit: writing rounds each coordinate once more.
+ * @brief A proved result in millimeters on its way to a file in another unit: writing rounds each
+ * coordinate once more.
  *
- *     before    the run keeps a largest error that is smaller by the distance that the rounding can move a point
+ *     before    the run keeps a largest error that is smaller by the distance that the rounding can
+ *               move a point
  *     after     the distance that the rounding moved points is added to the proved bounds
  *
- * Both surfaces have the same triangles, so that no distance changes by more than the farthest move of a corner.
+ * Both surfaces have the same triangles, so that no distance changes by more than the farthest move
+ * of a corner.
  */
 #ifndef BoneDecimate_Applications_FileRounding_h
 #define BoneDecimate_Applications_FileRounding_h
@@ -39,11 +42,13 @@ double ErrorBeforeRounding(
 /// Whether some point has a tolerance of 0.
 bool HasZeroTolerance(vtkPolyData* surface, const std::string& array);
 
-/// The surface with tolerances that are smaller by the rounding; a tolerance below the rounding becomes 0.
+/// The surface with tolerances that are smaller by the rounding; a tolerance below the rounding
+/// becomes 0.
 vtkSmartPointer<vtkPolyData> TolerancesBeforeRounding(
   vtkPolyData* surface, const std::string& array, double rounding);
 
-/// A copy whose point array of proved bounds, if it is there, holds for points that were moved so far, mm.
+/// A copy whose point array of proved bounds, if it is there, holds for points that were moved so
+/// far, mm.
 vtkSmartPointer<vtkPolyData> WithWidenedBounds(
   vtkPolyData* surface, const std::string& array, double move);
 
@@ -66,8 +71,8 @@ struct RoundedResult
 /**
  * @param result A proved result, mm.
  * @param inFile The same as the file will have it.
- * @throws Failure(ExitCode::InputRejected) if the rounding puts points onto each other, Failure(ExitCode::Undecided) if the
- * largest error is less than the sum.
+ * @throws Failure(ExitCode::InputRejected) if the rounding puts points onto each other,
+ * Failure(ExitCode::Undecided) if the largest error is less than the sum.
  */
 RoundedResult RoundForFile(vtkPolyData* result, vtkPolyData* inFile, const RoundedRun& run);
 }

@@ -18,7 +18,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Seconds from 1970 to the origin of the times of files, which is the library's own: a whole number.
+/// Seconds from 1970 to the origin of the times of files, which is the library's own: a whole
+/// number.
 std::chrono::seconds OriginOfFileTimes()
 {
   static const auto origin =

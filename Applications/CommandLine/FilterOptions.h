@@ -16,12 +16,14 @@
 
 namespace bonedecimate
 {
-/// Sets every option of the table; TargetReduction only if it was set, because its default is ignored beside other targets.
+/// Sets every option of the table; TargetReduction only if it was set, because its default is
+/// ignored beside other targets.
 void ApplyOptions(const Options& options, vtkBoneDecimate* filter);
 
 /**
- * The requested options, in the precision of the files: what is proved holds for them only if they are read with the
- * coordinates that were proved. Limits of --prune are those of voxels if there are segments, and not of the filter.
+ * The requested options, in the precision of the files: what is proved holds for them only if they
+ * are read with the coordinates that were proved. Limits of --prune are those of voxels if there
+ * are segments, and not of the filter.
  */
 Options OptionsForFiles(const Arguments& arguments);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FilterRun.h
- * @brief The steps that every command has in common: read, run a filter, collect messages, print warnings.
+ * @brief The steps that every command has in common: read, run a filter, collect messages, print
+ * warnings.
  */
 #ifndef BoneDecimate_Applications_FilterRun_h
 #define BoneDecimate_Applications_FilterRun_h
@@ -19,7 +20,8 @@
 namespace bonedecimate
 {
 /// Reads a surface and appends what the reader warns of. @throws Failure(ExitCode::InputRejected)
-/// @throws Failure(ExitCode::Usage) if a unit was requested that the file, which names its own, does not have.
+/// @throws Failure(ExitCode::Usage) if a unit was requested that the file, which names its own,
+///   does not have.
 void RequireUnitOfFile(
   const MillimeterSurface& loaded, const std::string& path, const LengthUnit& unit);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file InputArguments.h
- * @brief What belongs to the input on the command line: regions and arrays of tolerances, labels, the reference.
+ * @brief What belongs to the input on the command line: regions and arrays of tolerances, labels,
+ * the reference.
  */
 #ifndef BoneDecimate_Applications_InputArguments_h
 #define BoneDecimate_Applications_InputArguments_h
@@ -41,12 +42,15 @@ void AddRegions(CLI::App& app, std::vector<Region>& regions,
 /// Adds --region, --tolerance-array, --labels and --reference.
 void AddInputArguments(CLI::App& app, InputArguments& arguments);
 
-/// @throws Failure(ExitCode::InputRejected) if the surface lacks a point array; an empty name is none.
+/// @throws Failure(ExitCode::InputRejected) if the surface lacks a point array; an empty name is
+///   none.
 void NeedPointArray(vtkPolyData* surface, const std::string& array, const std::string& path);
 
 /**
- * The surface with an array of tolerances from the regions, if there are any, which becomes that of the filter.
- * @param array The array of tolerances that was requested; empty: none.  @param path Of the surface, for messages.
+ * The surface with an array of tolerances from the regions, if there are any, which becomes that of
+ * the filter.
+ * @param array The array of tolerances that was requested; empty: none.  @param path Of the
+ *   surface, for messages.
  * @throws Failure(ExitCode::InputRejected) if the surface lacks the array.
  */
 vtkSmartPointer<vtkPolyData> ApplyRegions(const std::vector<Region>& regions, std::string array,

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file InputHints.h
- * @brief What makes a file larger than its surface: cells that are no part of it. The filters tell what makes a surface hard to simplify.
+ * @brief What makes a file larger than its surface: cells that are no part of it. The filters tell
+ * what makes a surface hard to simplify.
  */
 #ifndef BoneDecimate_Applications_InputHints_h
 #define BoneDecimate_Applications_InputHints_h

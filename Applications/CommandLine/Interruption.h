@@ -9,9 +9,9 @@
 
 namespace bonedecimate
 {
-/// From now on SIGINT, SIGTERM and SIGHUP (a closed terminal), on Windows events of the console, are only noted; SIGHUP stays ignored
-/// where it was, as under nohup. A full disk or a closed pipe is an error of the
-/// write, not a death.
+/// From now on SIGINT, SIGTERM and SIGHUP (a closed terminal), on Windows events of the console,
+/// are only noted; SIGHUP stays ignored where it was, as under nohup. A full disk or a closed pipe
+/// is an error of the write, not a death.
 void CatchSignals();
 
 bool IsInterrupted();

@@ -76,7 +76,8 @@ Json JsonOf(const std::vector<SegmentRecord>& segments, vtkPolyData* result)
   return json;
 }
 
-/// The size of an output file; of a folder, the files of its segments together. None if one of them is missing.
+/// The size of an output file; of a folder, the files of its segments together. None if one of them
+/// is missing.
 std::optional<std::uintmax_t> BytesOf(const std::string& output, const Json& report)
 {
   std::error_code error;

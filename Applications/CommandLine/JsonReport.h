@@ -67,8 +67,8 @@ struct CertificateSubject
   std::string Unit;                ///< Unit of the coordinates in the files of surfaces.
   nlohmann::ordered_json Voxels;   ///< "voxels"; null: not compared.
   std::vector<std::string> Warnings;
-  std::string
-    ReportOfResult; ///< What the report in the file of the result proves; empty: there is none.
+  /// What the report in the file of the result proves; empty: there is none.
+  std::string ReportOfResult;
   SettingsRecord Settings;
 };
 
@@ -84,8 +84,8 @@ void WriteJsonFile(const std::string& path, const nlohmann::ordered_json& json);
 
 /**
  * Whether a report on disk is of this version, the same input and the same options (threads do not
- * matter), and the output still has the size it was written with; that of a folder are the files of its segments. A report that
- * cannot be read matches nothing.
+ * matter), and the output still has the size it was written with; that of a folder are the files of
+ * its segments. A report that cannot be read matches nothing.
  */
 bool ReportMatches(
   const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject);

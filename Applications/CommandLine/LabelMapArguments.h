@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelMapArguments.h
- * @brief A label map on the command line, and the options of smoothing and voxels for commands whose options are not those of the table.
+ * @brief A label map on the command line, and the options of smoothing and voxels for commands
+ * whose options are not those of the table.
  */
 #ifndef BoneDecimate_Applications_LabelMapArguments_h
 #define BoneDecimate_Applications_LabelMapArguments_h
@@ -26,8 +27,8 @@ namespace bonedecimate
 struct LabelMapFile
 {
   std::string Path; ///< Empty: none.
-  std::int64_t Label =
-    0; ///< What a surface without labels encloses; 0: the only label of the map that is not 0.
+  /// What a surface without labels encloses; 0: the only label of the map that is not 0.
+  std::int64_t Label = 0;
   std::vector<double> Spacing; ///< mm, of TIFF files; empty, one or three numbers.
 
   std::string Series; ///< Series of a folder of DICOM files; empty: the largest.
@@ -39,10 +40,12 @@ struct LabelMapFile
 /// @param flags Flags of the option for the map.
 void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char* help);
 
-/// Requires that --label is given only with a map. @param flag Of the map. @throws Failure(ExitCode::Usage)
+/// Requires that --label is given only with a map. @param flag Of the map. @throws
+/// Failure(ExitCode::Usage)
 void CheckLabel(const LabelMapFile& map, const std::string& flag);
 
-/// Requires that --spacing is given only with a map or input that needs it. @param inputs That are read with it, too.
+/// Requires that --spacing is given only with a map or input that needs it. @param inputs That are
+/// read with it, too.
 /// @throws Failure(ExitCode::Usage)
 void CheckSpacing(const LabelMapFile& map, const std::vector<std::string>& inputs = {});
 
@@ -60,8 +63,8 @@ void ApplyLabelMap(
 
 struct VoxelArguments
 {
-  std::vector<std::pair<std::string, std::string>>
-    Options; ///< Names and texts of options of the table.
+  /// Names and texts of options of the table.
+  std::vector<std::pair<std::string, std::string>> Options;
   LabelMapFile Map;
 };
 

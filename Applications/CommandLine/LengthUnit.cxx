@@ -77,7 +77,8 @@ vtkSmartPointer<vtkPolyData> WithPoints(vtkPolyData* surface, int precision, con
   return converted;
 }
 
-/// From positions in millimeters to those of the file, as far as the conversion back would not find them.
+/// From positions in millimeters to those of the file, as far as the conversion back would not find
+/// them.
 class Originals
 {
 public:

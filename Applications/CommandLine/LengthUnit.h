@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LengthUnit.h
- * @brief --unit: the unit of the coordinates in files of surfaces that do not name it. Everything else is in millimeters.
+ * @brief --unit: the unit of the coordinates in files of surfaces that do not name it. Everything
+ * else is in millimeters.
  *
  *     read     file -> double -> millimeters
  *     write    millimeters -> double -> unit of the file -> precision of the file
@@ -54,8 +55,8 @@ struct MillimeterSurface
   vtkSmartPointer<vtkPolyData> Surface;
   std::vector<std::string> Warnings;
   vtkSmartPointer<vtkPolyData> InFile; ///< In the unit of the file.
-  std::string
-    Note; ///< How unit and axes of the file were taken, a sentence; empty: nothing to say.
+  /// How unit and axes of the file were taken, a sentence; empty: nothing to say.
+  std::string Note;
   bool TakesUnit = true; ///< Whether --unit has a meaning for the file.
 
   /// Whether the coordinates in the file are in single precision.
@@ -70,14 +71,16 @@ vtkSmartPointer<vtkPolyData> ToMillimeters(vtkPolyData* surface, const LengthUni
 
 /**
  * The surface itself if its file is in millimeters.
- * @param input What the surface was made from, in the unit of its file: a point that has not moved gets its coordinates back
- * bit for bit, although several numbers of a file may be the same in millimeters.
+ * @param input What the surface was made from, in the unit of its file: a point that has not moved
+ * gets its coordinates back bit for bit, although several numbers of a file may be the same in
+ * millimeters.
  */
 vtkSmartPointer<vtkPolyData> FromMillimeters(
   vtkPolyData* surface, const LengthUnit& unit, bool toSingle, vtkPolyData* input);
 
 /**
- * The message, with --unit and --allow-large-error named where it doubts that coordinates are in millimeters.
+ * The message, with --unit and --allow-large-error named where it doubts that coordinates are in
+ * millimeters.
  * @param source The file that it is about; one that names its unit takes no --unit.
  * @param unit That was requested.
  */

@@ -186,7 +186,8 @@ public:
   }
 
 private:
-  /// The run goes on to the smallest level that was requested by its number. 0: the default, or as few as the error allows.
+  /// The run goes on to the smallest level that was requested by its number. 0: the default, or as
+  /// few as the error allows.
   int Coarsest() const
   {
     const std::vector<int>& requested = this->Requested.Triangles;

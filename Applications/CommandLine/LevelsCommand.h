@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LevelsCommand.h
- * @brief bonedecimate levels: records a run or takes its log from a file, lists the levels that were measured, writes those
- * that are requested.
+ * @brief bonedecimate levels: records a run or takes its log from a file, lists the levels that
+ * were measured, writes those that are requested.
  */
 #ifndef BoneDecimate_Applications_LevelsCommand_h
 #define BoneDecimate_Applications_LevelsCommand_h
@@ -55,7 +55,8 @@ struct LevelsArguments
 /// Adds the command; its code is Done. It throws Failure and std::bad_alloc.
 void AddLevelsCommand(CLI::App& program);
 
-/// Requires that the outputs, with the file of a level if it has a name, differ and are no surfaces that are read.
+/// Requires that the outputs, with the file of a level if it has a name, differ and are no surfaces
+/// that are read.
 /// @throws Failure(ExitCode::Usage)
 void KeepSurfaces(const LevelsArguments& arguments, const std::string& level);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MemoryArguments.h
- * @brief --memory: the memory of a run, and the slabs in which a volume has to be processed to stay within it.
+ * @brief --memory: the memory of a run, and the slabs in which a volume has to be processed to stay
+ * within it.
  */
 #ifndef BoneDecimate_Applications_MemoryArguments_h
 #define BoneDecimate_Applications_MemoryArguments_h

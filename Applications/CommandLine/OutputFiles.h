@@ -25,7 +25,8 @@ struct OutputFiles
   /// Reserves every file, so that a folder that takes none is found out before the work.
   explicit OutputFiles(const Arguments& arguments);
 
-  /// Adds a file for the surface of a segment. @throws Failure(ExitCode::Usage) if one of that name is written already.
+  /// Adds a file for the surface of a segment. @throws Failure(ExitCode::Usage) if one of that name
+  /// is written already.
   StagedFile& AddSegment(const std::string& target);
 
   std::optional<StagedFolder> Folder; ///< Folder of the segments; removed after its files.
@@ -34,8 +35,8 @@ struct OutputFiles
   std::list<StagedFile> Segments;
   std::optional<StagedFile> Blocks; ///< The .vtm file.
   std::optional<StagedFile> Heatmap;
-  std::optional<StagedFile>
-    Picture; ///< Also without --picture if a page wants to embed one; see KeepsPicture.
+  /// Also without --picture if a page wants to embed one; see KeepsPicture.
+  std::optional<StagedFile> Picture;
   std::optional<StagedFile> Page;
   std::optional<StagedFile> Report;
   bool KeepsPicture = false;

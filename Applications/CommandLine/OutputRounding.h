@@ -30,10 +30,12 @@ public:
   /// @param input mm. @param inFile The same in the unit of its file; null: a volume.
   void SetInput(vtkPolyData* input, vtkPolyData* inFile);
 
-  /// Sets the grid, or reduces the largest error by what writing rounds. @throws Failure(ExitCode::InputRejected)
+  /// Sets the grid, or reduces the largest error by what writing rounds. @throws
+  /// Failure(ExitCode::InputRejected)
   void Reserve(Options& options);
 
-  /// What the run takes: tolerances are smaller by what writing rounds. @param input mm, with the array of tolerances.
+  /// What the run takes: tolerances are smaller by what writing rounds. @param input mm, with the
+  /// array of tolerances.
   vtkSmartPointer<vtkPolyData> InputOfRun(vtkPolyData* input, const std::string& array) const;
 
   /// @param result mm, of the filter, with arrays that are added to it. @throws Failure

@@ -17,13 +17,15 @@
 
 namespace bonedecimate
 {
-/// The input as the run has taken it: its copy with distances, without the triangles of pruned components.
+/// The input as the run has taken it: its copy with distances, without the triangles of pruned
+/// components.
 vtkSmartPointer<vtkPolyData> SurfaceBefore(vtkBoneDecimate* filter);
 
 /// What the outputs of a run give its page.
 PageSubject PageOfRun(vtkBoneDecimate* filter);
 
-/// In mode Fast, with the arrays of the surface. @returns The surface itself if it cannot be reduced.
+/// In mode Fast, with the arrays of the surface. @returns The surface itself if it cannot be
+/// reduced.
 vtkSmartPointer<vtkPolyData> ReduceForPage(vtkPolyData* surface, vtkIdType triangles);
 
 /// The surface with the distance of each point to the triangles of another one, mm.

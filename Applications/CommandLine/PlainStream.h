@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlainStream.h
- * @brief What the program says, without bytes that would command a terminal: names of files and options may hold any.
+ * @brief What the program says, without bytes that would command a terminal: names of files and
+ * options may hold any.
  */
 #ifndef BoneDecimate_Applications_PlainStream_h
 #define BoneDecimate_Applications_PlainStream_h
@@ -13,7 +14,8 @@
 
 namespace bonedecimate
 {
-/// As long as it lives, each byte of a stream that is neither plain text (PlainText.h), a tab nor the end of a line becomes a question mark.
+/// As long as it lives, each byte of a stream that is neither plain text (PlainText.h), a tab nor
+/// the end of a line becomes a question mark.
 class PlainStream : private std::streambuf
 {
 public:

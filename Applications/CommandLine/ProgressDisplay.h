@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ProgressDisplay.h
- * @brief The phase of a run, how much of it is done and the time left: a bar on a terminal, lines in a file, or 3D Slicer's tags.
+ * @brief The phase of a run, how much of it is done and the time left: a bar on a terminal, lines
+ * in a file, or 3D Slicer's tags.
  */
 #ifndef BoneDecimate_Applications_ProgressDisplay_h
 #define BoneDecimate_Applications_ProgressDisplay_h

@@ -38,8 +38,8 @@ bool ReadNumbers(const std::string& text, std::vector<double>& numbers);
  */
 std::string ReadRegions(const std::string& text, std::vector<Region>& regions);
 
-/// The surface with a point array of tolerances: the least of those of the regions that hold a point, and of the array if
-/// it was there before.
+/// The surface with a point array of tolerances: the least of those of the regions that hold a
+/// point, and of the array if it was there before.
 vtkSmartPointer<vtkPolyData> WithTolerances(
   vtkPolyData* surface, const std::vector<Region>& regions, const std::string& arrayName);
 

@@ -22,14 +22,15 @@
 
 namespace bonedecimate
 {
-/// Adds the labels of the voxels but 0; not all of them if they are so many that they are gray values.
+/// Adds the labels of the voxels but 0; not all of them if they are so many that they are gray
+/// values.
 void CollectLabels(vtkImageData* map, std::set<std::int64_t>& labels);
 
 /// What there is to choose from.
 struct FoundSegments
 {
-  std::vector<NamedLabel>
-    Present; ///< The labels of the voxels but 0, ascending, with names and colors.
+  /// The labels of the voxels but 0, ascending, with names and colors.
+  std::vector<NamedLabel> Present;
   std::vector<NamedLabel> Empty; ///< Labels that are described and that no voxel has.
   bool AreDescribed = false;     ///< The map describes its labels; off: a table for many maps does.
   LabelRegions Regions;          ///< Names of several labels.
@@ -42,7 +43,8 @@ inline constexpr const char* NoChosenVoxelReason = "no voxel belongs to what --s
 
 /**
  * Names and colors are those of FindLabelNames().
- * @param labels CollectLabels() of all voxels.  @param fields Of the map.  @param path Of the map, for messages.
+ * @param labels CollectLabels() of all voxels.  @param fields Of the map.  @param path Of the map,
+ *   for messages.
  * @throws Failure(ExitCode::InputRejected) if there are none, or so many that they are gray values.
  */
 FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,
@@ -56,13 +58,16 @@ FoundSegments FindSegments(
  *     bones     those with the names that TotalSegmentator gives to bones
  *     else      labels and names with commas in between; small and capital letters are the same
  *
- * @param warnings Get those of the segments, and a sentence with the chosen ones that have no voxel.
- * @throws Failure(ExitCode::InputRejected) with the segments that there are, if one of them is not there, or none has a voxel.
+ * @param warnings Get those of the segments, and a sentence with the chosen ones that have no
+ *   voxel.
+ * @throws Failure(ExitCode::InputRejected) with the segments that there are, if one of them is not
+ *   there, or none has a voxel.
  */
 std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
   const SegmentArguments& arguments, const std::string& path, std::vector<std::string>& warnings);
 
-/// The segments that were not chosen, as the report lists what was left out; none if there are none.
+/// The segments that were not chosen, as the report lists what was left out; none if there are
+/// none.
 std::vector<LeftOut> SegmentsLeftOut(const FoundSegments& segments,
   const SegmentArguments& arguments, const std::vector<NamedLabel>& chosen);
 

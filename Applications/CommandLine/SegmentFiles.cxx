@@ -96,7 +96,8 @@ std::vector<double> VolumesOfComponents(vtkPolyData* surface)
   return volumes;
 }
 
-/// A name as a file may have it: without what separates folders, what shells and other systems take for something else, and blanks.
+/// A name as a file may have it: without what separates folders, what shells and other systems take
+/// for something else, and blanks.
 std::string NameInFolder(const NamedLabel& label)
 {
   std::string name = label.Name;

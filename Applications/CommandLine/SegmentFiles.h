@@ -16,8 +16,8 @@
 namespace bonedecimate
 {
 /**
- * Notes what is in each segment, and writes the files of the segments and the .vtm file if the output has them. Of a proved result
- * these files come back with the same coordinates bit for bit.
+ * Notes what is in each segment, and writes the files of the segments and the .vtm file if the
+ * output has them. Of a proved result these files come back with the same coordinates bit for bit.
  * @throws Failure(ExitCode::CouldNotWrite)
  */
 void WriteSegments(

@@ -6,7 +6,8 @@
  *
  *     --segments all bones.ply     one surface with all segments
  *     --segments all bones.vtm     bones.vtm, and in the folder bones a file for each segment
- *     --segments all bones         in the folder bones a file for each segment, report.json, index.html and picture.png
+ *     --segments all bones         in the folder bones a file for each segment, report.json,
+ *                                  index.html and picture.png
  */
 #ifndef BoneDecimate_Applications_SegmentOutput_h
 #define BoneDecimate_Applications_SegmentOutput_h
@@ -37,7 +38,8 @@ std::string ExtensionOfSegments(const Arguments& arguments);
 /// Formats of all surfaces that one run writes, except heat maps.
 std::vector<const SurfaceFormat*> FormatsOfSurfaces(const Arguments& arguments);
 
-/// Report, page and picture of a folder of segments get their names there if they have none, unless there are many bones.
+/// Report, page and picture of a folder of segments get their names there if they have none, unless
+/// there are many bones.
 void NameFilesOfFolder(Arguments& arguments);
 }
 

@@ -21,8 +21,8 @@ struct SegmentRecord
 {
   NamedLabel Label;
   std::int64_t Triangles = 0;
-  std::vector<double>
-    Volumes; ///< mm3, of each component, the largest first; cavities are negative.
+  /// mm3, of each component, the largest first; cavities are negative.
+  std::vector<double> Volumes;
   std::optional<ChangedPieces> Changed; ///< Changes before extraction; none: not requested.
   std::string File; ///< File of this segment alone, without folder; empty: none.
   std::int64_t Bytes = 0;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SegmentSlabs.h
- * @brief The surfaces of the segments of a label map in slabs: together those that vtkBoneSurfaces extracts from the whole.
+ * @brief The surfaces of the segments of a label map in slabs: together those that vtkBoneSurfaces
+ * extracts from the whole.
  */
 #ifndef BoneDecimate_Applications_SegmentSlabs_h
 #define BoneDecimate_Applications_SegmentSlabs_h

@@ -27,10 +27,12 @@ struct SegmentSurfaces
   PiecesOfLabels Changed; ///< What changed in the map on request; empty: nothing was requested.
 };
 
-/// Reads the label map and extracts the segments that the arguments choose. @throws Failure(ExitCode::InputRejected)
+/// Reads the label map and extracts the segments that the arguments choose. @throws
+/// Failure(ExitCode::InputRejected)
 SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::string>& warnings);
 
-/// The surface with the colors of its labels as the cell array Color, which formats with colors write; the same without colors.
+/// The surface with the colors of its labels as the cell array Color, which formats with colors
+/// write; the same without colors.
 vtkSmartPointer<vtkPolyData> WithColorArray(vtkPolyData* surface);
 }
 

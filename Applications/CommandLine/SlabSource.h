@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlabSource.h
- * @brief Where the slabs of a run come from: the bone at a gray value, or the segments of a label map.
+ * @brief Where the slabs of a run come from: the bone at a gray value, or the segments of a label
+ * map.
  *
  * The volume is read twice: when the source is made, to check and count, and then slab by slab.
  */
@@ -47,7 +48,8 @@ public:
   virtual SlabInputs GetInputs() const = 0;
 
   /**
-   * Opens the volume again, to be read in slabs of about as many triangles, or of two layers, or to the end of the volume.
+   * Opens the volume again, to be read in slabs of about as many triangles, or of two layers, or to
+   * the end of the volume.
    * @param largestBytes Of the voxels of a slab.
    * @return The number of slabs.
    */

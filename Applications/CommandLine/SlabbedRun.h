@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlabbedRun.h
- * @brief One bone, or the segments of a label map, from a volume that is larger than memory: read, decimated and joined slab by slab.
+ * @brief One bone, or the segments of a label map, from a volume that is larger than memory: read,
+ * decimated and joined slab by slab.
  */
 #ifndef BoneDecimate_Applications_SlabbedRun_h
 #define BoneDecimate_Applications_SlabbedRun_h

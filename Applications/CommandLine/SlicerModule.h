@@ -9,8 +9,9 @@
  *                  [--roi x,y,z,rx,ry,rz] [--keep x,y,z]... [--keep_radius MM]
  *
  * Flags may be written with underscores (--max_error), since Slicer allows no dashes in them.
- * A region of interest is its center and half of its sides, mm; positions are in the coordinates of the files (LPS in Slicer).
- * Progress goes to the standard output in Slicer's tags, results as "name = value" to FILE.
+ * A region of interest is its center and half of its sides, mm; positions are in the coordinates of
+ * the files (LPS in Slicer). Progress goes to the standard output in Slicer's tags, results as
+ * "name = value" to FILE.
  */
 #ifndef BoneDecimate_Applications_SlicerModule_h
 #define BoneDecimate_Applications_SlicerModule_h

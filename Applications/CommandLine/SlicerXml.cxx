@@ -15,8 +15,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// The first options of a panel. A panel passes every number, so a default that the program ignores next to other options is
-/// replaced by a value of its own.
+/// The first options of a panel. A panel passes every number, so a default that the program ignores
+/// next to other options is replaced by a value of its own.
 struct Shown
 {
   const char* Option;

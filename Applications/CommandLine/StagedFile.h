@@ -17,13 +17,13 @@ namespace bonedecimate
 {
 /**
  * Reserves a temporary file in the target's folder, with the target's extension, and renames it
- * when all is well. A file that is replaced keeps its mode. Without Commit() the temporary file is removed. Every method throws
- * Failure(ExitCode::CouldNotWrite).
+ * when all is well. A file that is replaced keeps its mode. Without Commit() the temporary file is
+ * removed. Every method throws Failure(ExitCode::CouldNotWrite).
  *
  * A process that is killed leaves its temporary file behind. The next that writes to the folder
- * removes it: as long as a process lives it holds a lock (FileLock) on each of its files, and the name
- * tells on which running system, so that files of another computer that uses the folder are left
- * alone.
+ * removes it: as long as a process lives it holds a lock (FileLock) on each of its files, and the
+ * name tells on which running system, so that files of another computer that uses the folder are
+ * left alone.
  */
 class StagedFile
 {

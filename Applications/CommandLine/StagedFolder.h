@@ -14,8 +14,8 @@
 namespace bonedecimate
 {
 /**
- * Makes a folder and those above it that are missing. In the end it removes those that it made and that are empty: a StagedFile in it
- * has to end first.
+ * Makes a folder and those above it that are missing. In the end it removes those that it made and
+ * that are empty: a StagedFile in it has to end first.
  */
 class StagedFolder
 {

@@ -19,11 +19,11 @@ struct SurfaceFormat;
 
 struct LoadedSurface
 {
-  vtkSmartPointer<vtkPolyData>
-    Surface; ///< Points of STL files are not merged: the filter does it and counts.
+  /// Points of STL files are not merged: the filter does it and counts.
+  vtkSmartPointer<vtkPolyData> Surface;
   std::vector<std::string> Warnings;
-  std::string
-    Unit; ///< What the file says of the unit of its coordinates (FileUnit.h); empty: nothing.
+  /// What the file says of the unit of its coordinates (FileUnit.h); empty: nothing.
+  std::string Unit;
 };
 
 /// @throws Failure(ExitCode::InputRejected)

@@ -54,7 +54,8 @@ namespace
 {
 using Corners = std::array<std::array<double, 3>, 3>;
 
-/// In an order that does not depend on the file: each triangle from its least corner, the least triangle first.
+/// In an order that does not depend on the file: each triangle from its least corner, the least
+/// triangle first.
 std::vector<Corners> SortedTriangles(vtkPolyData* surface)
 {
   std::vector<Corners> triangles;

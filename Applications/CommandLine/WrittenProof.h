@@ -5,7 +5,7 @@
  * @brief Whether what was proved holds for the file that was written.
  *
  *     every triangle read back has the same corners, bit for bit:  it is what was proved
- *     else:                                                        the certificate of what was read back
+ *     else:                                                   the certificate of what was read back
  */
 #ifndef BoneDecimate_Applications_WrittenProof_h
 #define BoneDecimate_Applications_WrittenProof_h
@@ -16,10 +16,12 @@
 
 namespace bonedecimate
 {
-/// Equal positions; points may have other numbers, as in STL files, and triangles another order, as in GLB files.
+/// Equal positions; points may have other numbers, as in STL files, and triangles another order, as
+/// in GLB files.
 bool HasSameTriangles(vtkPolyData* a, vtkPolyData* b);
 
-/// Requires that the triangles of a file are those that were proved. @param target The name the file will get.
+/// Requires that the triangles of a file are those that were proved. @param target The name the
+/// file will get.
 /// @throws Failure(ExitCode::Undecided)
 void RequireSameTriangles(vtkPolyData* proved, vtkPolyData* readBack, const std::string& target);
 

@@ -37,7 +37,8 @@ vtkSmartPointer<vtkPolyData> TrianglesWithNormals(vtkPolyData* surface);
 /// Shaded smoothly, in the color of bone.
 vtkSmartPointer<vtkActor> MakeBone(vtkPolyData* surface);
 
-/// Each triangle in one shade: the staircase of a segmentation is seen, which shading across edges hides.
+/// Each triangle in one shade: the staircase of a segmentation is seen, which shading across edges
+/// hides.
 void ShadeFlat(vtkActor* bone);
 
 /// Flat triangles with their edges. @param lineWidth Pixels.
@@ -46,7 +47,8 @@ void ShowTriangles(vtkActor* bone, double lineWidth);
 /// Colors from 0 to range (mm) by an array of the points.
 void ColorByDistance(vtkActor* bone, const std::string& arrayName, double range);
 
-/// Each triangle in the color of the first of its labels, if there are several labels or one with a color.
+/// Each triangle in the color of the first of its labels, if there are several labels or one with a
+/// color.
 void ColorByLabel(vtkActor* bone, const std::vector<NamedLabel>& labels);
 
 /// White behind everything that no view covers; has to come before the views.

@@ -11,7 +11,8 @@
 
 namespace bonedecimate
 {
-/// @param certificate As the program writes it (Documentation/certificate.schema.json). @returns The page as HTML text.
+/// @param certificate As the program writes it (Documentation/certificate.schema.json). @returns
+///   The page as HTML text.
 std::string ComposeCertificatePage(const std::string& certificate);
 }
 

@@ -77,8 +77,8 @@ std::string ReadDisplayNumber(int descriptor)
 }
 }
 
-/// The display in use. Its connection stays open: many servers start afresh when their last client goes, and VTK would
-/// meet them in the middle of that.
+/// The display in use. Its connection stays open: many servers start afresh when their last client
+/// goes, and VTK would meet them in the middle of that.
 struct Display::Server
 {
   ::pid_t Process = 0; // of a server of our own, else 0

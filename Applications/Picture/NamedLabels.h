@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NamedLabels.h
- * @brief Names and colors of labels, in the field arrays LabelValues, LabelNames and LabelColors of surfaces and label maps.
+ * @brief Names and colors of labels, in the field arrays LabelValues, LabelNames and LabelColors of
+ * surfaces and label maps.
  */
 #ifndef BoneDecimate_Applications_NamedLabels_h
 #define BoneDecimate_Applications_NamedLabels_h
@@ -38,16 +39,19 @@ struct NamedLabel
 /// One label for each row of LabelValues; empty if there is no such array.
 std::vector<NamedLabel> ReadNamedLabels(vtkFieldData* fields);
 
-/// Replaces the three arrays. Without any color there is no LabelColors; a label without one is black.
+/// Replaces the three arrays. Without any color there is no LabelColors; a label without one is
+/// black.
 void WriteNamedLabels(const std::vector<NamedLabel>& labels, vtkFieldData* fields);
 
-/// The labels of a surface of vtkBoneSurfaces or of its result, without the background, which is the last value.
+/// The labels of a surface of vtkBoneSurfaces or of its result, without the background, which is
+/// the last value.
 std::vector<NamedLabel> LabelsOf(vtkPolyData* surface);
 
 /// "3 (femur)", or "3" without a name.
 std::string LabelText(const NamedLabel& label);
 
-/// The color of the first of the labels of each triangle; null if the surface has no BoundaryLabels, or no label has a color.
+/// The color of the first of the labels of each triangle; null if the surface has no
+/// BoundaryLabels, or no label has a color.
 /// @param labels LabelsOf() the surface.
 vtkSmartPointer<vtkUnsignedCharArray> ColorsOfTriangles(
   vtkPolyData* surface, const std::vector<NamedLabel>& labels);

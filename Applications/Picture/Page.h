@@ -19,14 +19,14 @@ namespace bonedecimate
 struct PageSubject
 {
   std::string Name; ///< What the page calls the bone (a file name, never patient data).
-  vtkPolyData* Result =
-    nullptr; ///< Output port 0 of vtkBoneDecimate: arrays and report in its field data.
-  vtkSmartPointer<vtkPolyData>
-    Before; ///< The input of the run without what was pruned, with the distance of each point; may be null.
+  /// Output port 0 of vtkBoneDecimate: arrays and report in its field data.
+  vtkPolyData* Result = nullptr;
+  /// The input of the run without what was pruned, with the distance of each point; may be null.
+  vtkSmartPointer<vtkPolyData> Before;
   std::string DistanceArrayName;       ///< On Before, mm.
   std::string ResultDistanceArrayName; ///< On Result, mm.
-  std::vector<std::string>
-    Changes; ///< What changed in the voxels before extraction; empty: nothing was requested.
+  /// What changed in the voxels before extraction; empty: nothing was requested.
+  std::vector<std::string> Changes;
   std::string PictureFile; ///< A PNG to embed; empty: no picture, and the page says so.
   SurfaceReducer Reduce;   ///< For the interactive view of surfaces that are too large for a page.
 };
@@ -50,7 +50,8 @@ struct LevelsPageSubject
   SurfaceReducer Reduce;
 };
 
-/// The page as HTML text, with the interactive view if the program was built with it: 20 MB at most, if surfaces can be reduced.
+/// The page as HTML text, with the interactive view if the program was built with it: 20 MB at
+/// most, if surfaces can be reduced.
 std::string ComposePage(const PageSubject& subject);
 
 /// The page of the levels of one run, with all of them in the interactive view.

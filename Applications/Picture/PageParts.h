@@ -33,7 +33,8 @@ std::string EmbeddedPicture(const std::string& file);
 /// What a page of 20 MB leaves to the interactive view.
 std::size_t BytesOfViewer(std::size_t bytesOfPicture);
 
-/// The fraction of the distances (mm, ascending, at least one) that lie within x mm, as a curve: inline SVG.
+/// The fraction of the distances (mm, ascending, at least one) that lie within x mm, as a curve:
+/// inline SVG.
 std::string DistanceCurve(const std::vector<double>& sorted);
 }
 

@@ -21,8 +21,8 @@ namespace bonedecimate
 {
 namespace
 {
-// The picture from top to bottom, in fractions of the window: headline, captions, the whole bone, a line of
-// words, the close-ups, the footer with the color bar.
+// The picture from top to bottom, in fractions of the window: headline, captions, the whole bone, a
+// line of words, the close-ups, the footer with the color bar.
 constexpr double TitleHeight = 0.055;
 constexpr double CaptionHeight = 0.048;
 constexpr double WholeBottom = 0.445;

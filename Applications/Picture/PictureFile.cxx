@@ -49,7 +49,8 @@ vtkSmartPointer<vtkUnsignedCharArray> RenderPng(const PictureSubject& subject)
   return writer->GetResult();
 }
 
-/// Into the file itself, never by renaming another: the process that reserved it holds a lock on it.
+/// Into the file itself, never by renaming another: the process that reserved it holds a lock on
+/// it.
 std::string WriteWhole(vtkUnsignedCharArray* bytes, const std::string& file)
 {
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);

@@ -14,8 +14,8 @@
 namespace bonedecimate
 {
 /**
- * The bytes of the character at the beginning, if it is valid UTF-8 and neither a control character nor one that changes the direction
- * of text; 0 otherwise. Allocates nothing.
+ * The bytes of the character at the beginning, if it is valid UTF-8 and neither a control character
+ * nor one that changes the direction of text; 0 otherwise. Allocates nothing.
  */
 std::size_t LengthOfPlainCharacter(std::string_view text);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ProofSection.h
- * @brief What a page says about the proved bounds of a run, as HTML. Bounds are rounded outwards, so that what is shown is proved, too.
+ * @brief What a page says about the proved bounds of a run, as HTML. Bounds are rounded outwards,
+ * so that what is shown is proved, too.
  */
 #ifndef BoneDecimate_Applications_ProofSection_h
 #define BoneDecimate_Applications_ProofSection_h
@@ -13,16 +14,19 @@
 
 namespace bonedecimate
 {
-/// The tile with the proved bound and the requested tolerance; without a proof it says why there is none.
+/// The tile with the proved bound and the requested tolerance; without a proof it says why there is
+/// none.
 std::string ProofTile(const ReportFields& report);
 
 /// The bounds of each direction, of open boundaries, and what is not proved.
 std::string ProofSection(const ReportFields& report);
 
-/// ", but no farther than the proved 0.499908 mm" to end a sentence about measured distances; empty without a proof.
+/// ", but no farther than the proved 0.499908 mm" to end a sentence about measured distances; empty
+/// without a proof.
 std::string ProofClause(const ReportFields& report);
 
-/// What is proved of the levels of a run. @param report Of the run; of none if the levels come from a log.
+/// What is proved of the levels of a run. @param report Of the run; of none if the levels come from
+/// a log.
 std::string LevelsProof(const ReportFields& report);
 }
 

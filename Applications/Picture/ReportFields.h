@@ -19,8 +19,8 @@ namespace bonedecimate
 std::string CertificateJsonOf(vtkPolyData* compared);
 
 /**
- * Names are those of ReportTable.h. Of a surface with a label map there are also label_names.3, the name of label 3, for each label
- * that has one, and voxel_grid.smallest_spacing (mm).
+ * Names are those of ReportTable.h. Of a surface with a label map there are also label_names.3, the
+ * name of label 3, for each label that has one, and voxel_grid.smallest_spacing (mm).
  */
 class ReportFields
 {

@@ -16,8 +16,8 @@
 namespace bonedecimate
 {
 /// The triangles of a surface that have an area, polygons and strips among them, and none of the
-/// points that no such triangle uses: those would neither be seen nor measured, but frame the bone and stretch the
-/// colors. Point data is kept.
+/// points that no such triangle uses: those would neither be seen nor measured, but frame the bone
+/// and stretch the colors. Point data is kept.
 vtkSmartPointer<vtkPolyData> TrianglesOnly(vtkPolyData* surface);
 
 /// TrianglesOnly() with equal points merged: STL writes a point once for each of its triangles.

@@ -67,7 +67,8 @@ public:
   {
   }
 
-  /// The levels within half of the bytes, or within what a whole original leaves, and the original within the rest.
+  /// The levels within half of the bytes, or within what a whole original leaves, and the original
+  /// within the rest.
   std::vector<Carried> Carry(std::size_t bytes) const
   {
     std::vector<Carried> surfaces = { this->Encode(

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Viewer.h
- * @brief The interactive view of a page: vtk.js, the surfaces and the modules in Viewer/, all in the page itself.
+ * @brief The interactive view of a page: vtk.js, the surfaces and the modules in Viewer/, all in
+ * the page itself.
  */
 #ifndef BoneDecimate_Applications_Viewer_h
 #define BoneDecimate_Applications_Viewer_h
@@ -31,8 +32,8 @@ using SurfaceReducer =
 struct ViewerSubject
 {
   ViewerSurface Before;
-  std::vector<ViewerSurface>
-    Levels; ///< At least one, from coarse to fine. Labels are those of the last.
+  /// At least one, from coarse to fine. Labels are those of the last.
+  std::vector<ViewerSurface> Levels;
   std::string Legend = "distance to the other surface, mm"; ///< Title of the color scale.
   std::size_t MostBytes = 20000000; ///< Largest size of what the view adds to the page.
   SurfaceReducer Reduce; ///< For surfaces that are too large; empty: they are carried whole.

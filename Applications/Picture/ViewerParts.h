@@ -40,14 +40,16 @@ class ViewerDivision
 {
 public:
   /**
-   * @param original Triangles. @param labels Those of its BoundaryLabels, without the background; if there are none, its components are the
-   * parts, the largest first. Beyond forty the small ones are one part together.
+   * @param original Triangles. @param labels Those of its BoundaryLabels, without the background;
+   * if there are none, its components are the parts, the largest first. Beyond forty the small ones
+   * are one part together.
    */
   ViewerDivision(vtkPolyData* original, const std::vector<NamedLabel>& labels);
 
   const std::vector<ViewerPart>& GetParts() const { return this->Parts; }
 
-  /// The pieces of the original or of a result. A component of a result is that of the original nearest to most of its points.
+  /// The pieces of the original or of a result. A component of a result is that of the original
+  /// nearest to most of its points.
   std::vector<ViewerPiece> Divide(vtkPolyData* triangles) const;
 
 private:

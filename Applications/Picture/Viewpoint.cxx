@@ -119,8 +119,8 @@ Box BoxInView(const Viewpoint& view, vtkPolyData* surface)
 bool IsVisible(
   vtkStaticCellLocator* locator, const Viewpoint& view, const Vector& seen, double depth)
 {
-  const double offset =
-    1e-4 * (depth - seen[2]) + 1e-3; // mm, off the triangles at the point itself
+  // mm, off the triangles at the point itself
+  const double offset = 1e-4 * (depth - seen[2]) + 1e-3;
   const Vector from = InSpace(view, { seen[0], seen[1], seen[2] + offset });
   const Vector to = InSpace(view, { seen[0], seen[1], depth });
   double parameter;

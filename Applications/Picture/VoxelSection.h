@@ -17,10 +17,12 @@ namespace bonedecimate
 /// As HTML; empty if the voxels were not compared.
 std::string VoxelSection(const ReportFields& report);
 
-/// The largest error, in units of the smallest spacing of the voxels; nothing if there is none or the grid is not known.
+/// The largest error, in units of the smallest spacing of the voxels; nothing if there is none or
+/// the grid is not known.
 std::optional<double> BoundInVoxels(const ReportFields& report);
 
-/// The ratio of the voxels that have a label in the map and keep it, without the background; nothing if they were not compared.
+/// The ratio of the voxels that have a label in the map and keep it, without the background;
+/// nothing if they were not compared.
 std::optional<double> KeptVoxels(const ReportFields& report);
 
 /// "3 (femur)", or "3" without a name.

@@ -4,7 +4,8 @@
  * @file BoneSlabs.h
  * @brief The bone surface of a CT volume in slabs, for volumes larger than memory.
  *
- * The volume is read twice: first to check its values and to count the points of the surface, then slab by slab.
+ * The volume is read twice: first to check its values and to count the points of the surface, then
+ * slab by slab.
  */
 #ifndef BoneDecimate_Applications_BoneSlabs_h
 #define BoneDecimate_Applications_BoneSlabs_h
@@ -56,7 +57,8 @@ public:
   } ///< mm along the axis, of the first layer.
 
   /**
-   * Opens the volume again, to be read in slabs of about as many triangles, or of two layers, or to the end of the volume.
+   * Opens the volume again, to be read in slabs of about as many triangles, or of two layers, or to
+   * the end of the volume.
    * @param largestBytes Of the voxels of a slab.
    * @return The number of slabs.
    */

@@ -57,8 +57,8 @@ BoneSurface ExtractBoneSurface(const std::string& path, double hounsfield, Label
       change(volume.Image, grid);
     }
     bone.Surface = OutwardContour(volume, hounsfield);
-    bone.VoxelSize =
-      LeastSide(volume.Geometry, volume.Layers); // the image's own spacing means nothing
+    // the image's own spacing means nothing
+    bone.VoxelSize = LeastSide(volume.Geometry, volume.Layers);
   }
   return bone;
 }

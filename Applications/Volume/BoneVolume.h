@@ -20,8 +20,9 @@
 
 namespace bonedecimate
 {
-/// True for .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz files, for TIFF files of several pages and
-/// for folders that hold DICOM files or TIFF slices; and for one DICOM file (.dcm), which is rejected.
+/// True for .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz files, for TIFF files of several pages
+/// and for folders that hold DICOM files or TIFF slices; and for one DICOM file (.dcm), which is
+/// rejected.
 bool IsVolume(const std::string& path);
 
 /// Whether the extension is that of a volume; the file need not exist.
@@ -34,14 +35,16 @@ std::vector<std::string> VolumeExtensions();
 std::string ReadVolumesText();
 
 /**
- * From now on a folder whose subfolders have DICOM files is one volume, if it is none already: the largest series in it and below.
+ * From now on a folder whose subfolders have DICOM files is one volume, if it is none already: the
+ * largest series in it and below.
  * @return Whether there are any.
  */
 bool TakeSeriesBelow(const std::string& folder);
 
 /**
- * From now on folders of several DICOM series give the one that the text names: its number in the list, its unique identifier, or its
- * description, whole or in part. An impossible choice is rejected with the list.
+ * From now on folders of several DICOM series give the one that the text names: its number in the
+ * list, its unique identifier, or its description, whole or in part. An impossible choice is
+ * rejected with the list.
  * @param choice Empty: the largest.
  */
 void ChooseSeries(const std::string& choice);
@@ -54,8 +57,8 @@ inline constexpr const char* NoSeriesReason = "it has no series ";
 
 struct BoneSurface
 {
-  vtkSmartPointer<vtkPolyData>
-    Surface;                ///< mm, patient coordinates of the file (LPS); null if rejected.
+  /// mm, patient coordinates of the file (LPS); null if rejected.
+  vtkSmartPointer<vtkPolyData> Surface;
   double VoxelSize = 0.0;   ///< mm, the least side of its voxels.
   std::int64_t Padding = 0; ///< Voxels above the value that were not measured and are no bone.
   std::string Problem;      ///< Why it was rejected; empty if it was not.
@@ -70,8 +73,8 @@ enum class LabelPolicy
   AsIntensities ///< As those of any other volume.
 };
 
-/// What is done with the values of a volume before its surface is extracted. @param grid Without voxels: where they are, as SetLabelGrid()
-/// says it.
+/// What is done with the values of a volume before its surface is extracted. @param grid Without
+/// voxels: where they are, as SetLabelGrid() says it.
 using VoxelChange = std::function<void(vtkImageData* image, vtkImageData* grid)>;
 
 /**

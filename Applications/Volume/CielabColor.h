@@ -13,7 +13,8 @@
 namespace bonedecimate::volume
 {
 /**
- * sRGB of a DICOM color. The white point is D65, as in DCMTK, 3D Slicer, OHIF and Weasis; that of PS3.3 C.10.7.1.1 would be D50.
+ * sRGB of a DICOM color. The white point is D65, as in DCMTK, 3D Slicer, OHIF and Weasis; that of
+ * PS3.3 C.10.7.1.1 would be D50.
  * @param lab L* from 0 to 100, a* and b* from -128 to 127, each as a number from 0 to 65535.
  * @return Red, green and blue from 0 to 1. Colors that sRGB does not have are clamped.
  */

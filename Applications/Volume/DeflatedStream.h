@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DeflatedStream.h
- * @brief Compressed voxels, one after the other, and whether they are complete and undamaged, which the libraries of ITK do not
- * check.
+ * @brief Compressed voxels, one after the other, and whether they are complete and undamaged, which
+ * the libraries of ITK do not check.
  */
 #ifndef BoneDecimate_Applications_DeflatedStream_h
 #define BoneDecimate_Applications_DeflatedStream_h

@@ -48,7 +48,8 @@ private:
 };
 
 /**
- * What a file of several frames says of one of them: a functional group is in the item of the frame or in that of all frames.
+ * What a file of several frames says of one of them: a functional group is in the item of the frame
+ * or in that of all frames.
  */
 class FrameAttributes
 {

@@ -15,7 +15,8 @@
 
 namespace bonedecimate::volume
 {
-/// A series as a user may name it. Descriptions are shown where a choice is impossible, and written to no report.
+/// A series as a user may name it. Descriptions are shown where a choice is impossible, and written
+/// to no report.
 struct SeriesEntry
 {
   std::string Identifier;  ///< Unique.
@@ -31,12 +32,13 @@ struct SeriesChoice
 };
 
 /**
- * The entry of a choice that was made: a number from 1, a unique identifier, or a description, whole or in part, in any case. Of
- * several entries with the same identifier the first counts.
+ * The entry of a choice that was made: a number from 1, a unique identifier, or a description,
+ * whole or in part, in any case. Of several entries with the same identifier the first counts.
  */
 SeriesChoice ChooseFrom(const std::vector<SeriesEntry>& entries, const std::string& choice);
 
-/// Groups of slices, the largest first, then segmentations. A folder of segmentations alone needs a choice if there are several.
+/// Groups of slices, the largest first, then segmentations. A folder of segmentations alone needs a
+/// choice if there are several.
 /// @param choice Empty: none was made.
 SeriesChoice ChooseSeriesOf(const std::vector<DicomSlices>& groups,
   const std::vector<SeriesEntry>& segmentations, const std::string& folder,

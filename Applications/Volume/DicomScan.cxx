@@ -137,7 +137,8 @@ bool IsOfSegments(const gdcm::Scanner& scanner, const std::string& file)
   return kind == "1.2.840.10008.5.1.4.1.1.66.4" || kind == "1.2.840.10008.5.1.4.1.1.66.7";
 }
 
-/// An image that lacks what all have, because the file ends before, or what is no DICOM file after its first bytes.
+/// An image that lacks what all have, because the file ends before, or what is no DICOM file after
+/// its first bytes.
 bool IsDamaged(const gdcm::Scanner& scanner, const std::string& file)
 {
   const std::string kind = Text(scanner, file, ClassOfImage);

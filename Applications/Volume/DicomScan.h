@@ -22,8 +22,8 @@ struct ScannedFiles
   std::vector<DicomSlice> Slices;
   std::vector<std::string> Segmentations;
   std::vector<SeriesEntry> SegmentationEntries;
-  std::vector<std::string>
-    FramesOfImages; ///< Files of several frames that do not say where each lies.
+  /// Files of several frames that do not say where each lies.
+  std::vector<std::string> FramesOfImages;
   std::vector<std::string> Damaged;
   std::size_t Images = 0; ///< Files that have slices.
 };

@@ -47,7 +47,8 @@ bool IsReadSyntax(gdcm::TransferSyntax::TSType syntax)
   return std::find(read.begin(), read.end(), syntax) != read.end();
 }
 
-/// Why it is rejected before its data set is read; empty if it is not. GDCM takes minutes for deflated files that end early.
+/// Why it is rejected before its data set is read; empty if it is not. GDCM takes minutes for
+/// deflated files that end early.
 std::string SyntaxProblem(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
@@ -210,7 +211,8 @@ LayeredVolume OpenDicomSegmentation(const std::string& file, const SegmentSelect
     return RejectedLayers(DamagedFile);
   }
   const SegmentationHeader header = ReadSegmentationHeader(reader.GetFile().GetDataSet());
-  // Voxels that are announced are held against the bytes of pixels below; planes without a frame take none.
+  // Voxels that are announced are held against the bytes of pixels below; planes without a frame
+  // take none.
   const std::string problem = header.Problem.empty()
     ? SizeProblem({ { header.Size[0], header.Size[1], header.Grid.Planes } }, 0, 0, false)
     : header.Problem;

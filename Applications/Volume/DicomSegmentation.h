@@ -15,9 +15,10 @@
 namespace bonedecimate::volume
 {
 /**
- * Labels are the numbers of the segments, names and colors those that the file has for them. A voxel of several segments gets the
- * last one, which the note says. Planes without a frame are background. The file is in memory while its planes are read. May end the process on
- * damaged files: to be called by an IsolatedReader.
+ * Labels are the numbers of the segments, names and colors those that the file has for them. A
+ * voxel of several segments gets the last one, which the note says. Planes without a frame are
+ * background. The file is in memory while its planes are read. May end the process on damaged
+ * files: to be called by an IsolatedReader.
  */
 LayeredVolume OpenDicomSegmentation(const std::string& file, const SegmentSelection& selection);
 }

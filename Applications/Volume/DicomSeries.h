@@ -36,8 +36,8 @@ struct DicomSlice
   double ColumnDistance = 0.0;
   double Slope = 1.0; ///< Stored value times slope plus intercept is HU.
   double Intercept = 0.0;
-  std::optional<std::array<double, 2>>
-    Padding; ///< Least and largest stored value of pixels that were not measured.
+  /// Least and largest stored value of pixels that were not measured.
+  std::optional<std::array<double, 2>> Padding;
 };
 
 struct DicomSeries

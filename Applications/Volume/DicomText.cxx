@@ -12,7 +12,8 @@ namespace bonedecimate::volume
 {
 namespace
 {
-/// Defined terms of DICOM and what iconv calls them. Files without one are to be ASCII, but those with more are Latin 1 as a rule.
+/// Defined terms of DICOM and what iconv calls them. Files without one are to be ASCII, but those
+/// with more are Latin 1 as a rule.
 std::string NameForIconv(const std::string& term)
 {
   static const std::map<std::string, std::string> names{ { "", "ISO-8859-1" },

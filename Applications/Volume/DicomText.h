@@ -12,8 +12,10 @@
 namespace bonedecimate::volume
 {
 /**
- * @param characterSet The attribute Specific Character Set, "ISO_IR 100" for example. Of several values the first counts. Without one it is Latin 1.
- * @return The text in UTF-8. Characters that it does not have, and those of unknown character sets outside of ASCII, are question marks.
+ * @param characterSet The attribute Specific Character Set, "ISO_IR 100" for example. Of several
+ *   values the first counts. Without one it is Latin 1.
+ * @return The text in UTF-8. Characters that it does not have, and those of unknown character sets
+ *   outside of ASCII, are question marks.
  */
 std::string Utf8Of(const std::string& text, const std::string& characterSet);
 }

@@ -13,7 +13,8 @@ namespace bonedecimate::volume
 {
 /**
  * @param encoding As iconv calls it: "ISO-8859-1" for example.
- * @return What has no meaning in the encoding, and what is not ASCII if the system does not know it, are question marks.
+ * @return What has no meaning in the encoding, and what is not ASCII if the system does not know
+ *   it, are question marks.
  */
 std::string Utf8From(const std::string& text, const std::string& encoding);
 }

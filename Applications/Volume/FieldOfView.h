@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FieldOfView.h
- * @brief The constant that scanners write outside of the circle that they measure, where no header names it.
+ * @brief The constant that scanners write outside of the circle that they measure, where no header
+ * names it.
  */
 #ifndef BoneDecimate_Applications_FieldOfView_h
 #define BoneDecimate_Applications_FieldOfView_h
@@ -22,10 +23,13 @@ namespace bonedecimate::volume
  * Above the value of a surface such a constant would be a wall of bone. It counts as padding if
  *
  *     all four corners of every layer have it,
- *     every voxel outside of a circle around the middle of the layers has it, a circle that fits into them,
- *     at least nine tenths of the voxels just inside of the circle have other values, which differ from each other.
+ *     every voxel outside of a circle around the middle of the layers has it, a circle that fits
+ *       into them,
+ *     at least nine tenths of the voxels just inside of the circle have other values, which differ
+ *       from each other.
  *
- * Voxels inside of the circle never change, whatever value they have; a layer without any other value is padding as a whole.
+ * Voxels inside of the circle never change, whatever value they have; a layer without any other
+ * value is padding as a whole.
  */
 class FieldOfView
 {

@@ -14,8 +14,8 @@ namespace bonedecimate
 {
 /**
  * The path of a file.
- * @param name In UTF-8, as all names are in the program and as path::string() writes them. The constructor of std::filesystem::path
- * would take a name on Windows for one in another encoding.
+ * @param name In UTF-8, as all names are in the program and as path::string() writes them. The
+ * constructor of std::filesystem::path would take a name on Windows for one in another encoding.
  */
 inline std::filesystem::path FilePath(const std::string& name)
 {

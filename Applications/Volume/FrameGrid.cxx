@@ -174,7 +174,8 @@ private:
     return gaps;
   }
 
-  /// Into how many distances each gap is divided: more than one where planes without frames lie between equal distances.
+  /// Into how many distances each gap is divided: more than one where planes without frames lie
+  /// between equal distances.
   static std::vector<double> PartsOf(const std::vector<double>& gaps)
   {
     std::vector<double> parts(gaps.size(), 1.0);

@@ -38,11 +38,12 @@ struct FrameGrid
 };
 
 /**
- * Several frames may lie in a plane, and planes may have none. What rounding of the header shifts by less than a fifth of a voxel is put
- * onto the grid.
+ * Several frames may lie in a plane, and planes may have none. What rounding of the header shifts
+ * by less than a fifth of a voxel is put onto the grid.
  * @param frames At least one.
- * @param planeDistance What the header says of it, mm. If that is 0 or more than 2 % off, planes are where frames are if their
- * distances change on purpose (SpacingRuns.h), or else the median of their distances apart.
+ * @param planeDistance What the header says of it, mm. If that is 0 or more than 2 % off, planes
+ * are where frames are if their distances change on purpose (SpacingRuns.h), or else the median of
+ * their distances apart.
  * @param size Columns and rows.
  */
 FrameGrid GridOfFrames(const std::vector<FramePlacement>& frames, double planeDistance,

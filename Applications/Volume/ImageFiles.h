@@ -4,8 +4,9 @@
  * @file ImageFiles.h
  * @brief The formats that ITK reads, each with the checks that its library leaves out.
  *
- * Voxels that lie in the file one after the other as numbers of their type, packed by gzip or not, are read layer by layer
- * (StoredVoxels.h), slices in files of their own one by one, all others whole by ITK.
+ * Voxels that lie in the file one after the other as numbers of their type, packed by gzip or not,
+ * are read layer by layer (StoredVoxels.h), slices in files of their own one by one, all others
+ * whole by ITK.
  *
  * All may end the process on damaged files: to be called by an IsolatedReader.
  */
@@ -28,7 +29,8 @@ bool NrrdHasSpacing(const std::string& path);
 /// Positions are those of ITK: of the sform or the qform, RAS turned into LPS.
 LayeredVolume OpenNifti(const std::string& path);
 
-/// RAS and LAS are turned into LPS; a file that names no anatomical space is taken as it is. Also segmentations of 3D Slicer (.seg.nrrd).
+/// RAS and LAS are turned into LPS; a file that names no anatomical space is taken as it is. Also
+/// segmentations of 3D Slicer (.seg.nrrd).
 LayeredVolume OpenNrrd(const std::string& path, const SegmentSelection& selection);
 
 /// Opens a file with several pages. @param spacing mm.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file IntensityChecks.h
- * @brief Whether the voxels of a volume have a surface at a value, and what the user should know of it.
+ * @brief Whether the voxels of a volume have a surface at a value, and what the user should know of
+ * it.
  */
 #ifndef BoneDecimate_Applications_IntensityChecks_h
 #define BoneDecimate_Applications_IntensityChecks_h

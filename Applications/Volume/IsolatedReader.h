@@ -4,12 +4,13 @@
  * @file IsolatedReader.h
  * @brief Reading in a child process, for libraries that do not survive every damaged file.
  *
- * VTK's XML reader follows null pointers, Debian's GDCM stops on assertions, and ITK's libraries trust
- * what a header announces. All write to the terminal, at times with pieces of the header in it.
+ * VTK's XML reader follows null pointers, Debian's GDCM stops on assertions, and ITK's libraries
+ * trust what a header announces. All write to the terminal, at times with pieces of the header in
+ * it.
  *
- * The child sends layer after layer through a pipe and waits while they are not taken. Windows has no
- * child that goes on where its parent is: there the process reads itself, and a file that a library
- * does not survive ends it.
+ * The child sends layer after layer through a pipe and waits while they are not taken. Windows has
+ * no child that goes on where its parent is: there the process reads itself, and a file that a
+ * library does not survive ends it.
  */
 #ifndef BoneDecimate_Applications_IsolatedReader_h
 #define BoneDecimate_Applications_IsolatedReader_h
@@ -23,7 +24,8 @@ namespace bonedecimate::volume
 {
 /**
  * From now on a child that keeps its reader waiting ends as soon as this function throws.
- * @param stopIfInterrupted Called several times a second; throws if the user or the system interrupted the program.
+ * @param stopIfInterrupted Called several times a second; throws if the user or the system
+ *   interrupted the program.
  */
 void StopReadingBy(void (*stopIfInterrupted)());
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelFields.h
- * @brief The field arrays LabelValues, LabelNames and LabelColors of a label map: what is known of them.
+ * @brief The field arrays LabelValues, LabelNames and LabelColors of a label map: what is known of
+ * them.
  */
 #ifndef BoneDecimate_Applications_LabelFields_h
 #define BoneDecimate_Applications_LabelFields_h

@@ -21,21 +21,23 @@ namespace bonedecimate
 struct LabelVolume
 {
   /**
-   * One label a voxel; origin, spacing and direction in mm (LPS). Of a segmentation it has the field
-   * arrays LabelValues, LabelNames and LabelColors (red, green and blue, 0 to 1), as vtkBoneSurfaces
-   * takes them. Null if rejected.
+   * One label a voxel; origin, spacing and direction in mm (LPS). Of a segmentation it has the
+   * field arrays LabelValues, LabelNames and LabelColors (red, green and blue, 0 to 1), as
+   * vtkBoneSurfaces takes them. Null if rejected.
    */
   vtkSmartPointer<vtkImageData> Image;
   std::string Problem; ///< Why it was rejected; empty if it was not.
   std::string Note;    ///< What of the input was left aside, for the user; may be empty.
 };
 
-/// How far voxels move where axes are perpendicular only but for rounding; empty if they do not move.
+/// How far voxels move where axes are perpendicular only but for rounding; empty if they do not
+/// move.
 std::string LabelGridNote(
   const volume::VolumeGeometry& geometry, const std::array<std::int64_t, 3>& size);
 
 /// Sets origin, spacing and direction: the nearest perpendicular one, or that of a sheared grid.
-/// @param layers If their distance changes: they become the field array VoxelGridLayers, as vtkBoneSurfaces takes it.
+/// @param layers If their distance changes: they become the field array VoxelGridLayers, as
+///   vtkBoneSurfaces takes it.
 void SetLabelGrid(const volume::VolumeGeometry& geometry, const volume::LayerPositions& layers,
   vtkImageData* image);
 

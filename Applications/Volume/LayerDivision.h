@@ -22,7 +22,8 @@ namespace bonedecimate::volume
 std::vector<std::int64_t> DivideLayers(
   const std::vector<std::int64_t>& triangles, std::int64_t mostTriangles, std::int64_t mostLayers);
 
-/// The counts of a slab are added to those of the slabs before, with which it has a layer in common.
+/// The counts of a slab are added to those of the slabs before, with which it has a layer in
+/// common.
 void AppendCounts(const std::vector<std::int64_t>& ofSlab, std::vector<std::int64_t>& counts);
 
 /// Counts, for each layer of a label map or slab, the pairs of neighbors with different labels, in

@@ -14,8 +14,8 @@ namespace bonedecimate::volume
 /// 20 times the size of the files, and at least 1 GB.
 std::uint64_t MemoryForFiles(std::uint64_t bytes);
 
-/// As long as it lives, allocations beyond what the process has now and that many bytes throw std::bad_alloc. Without effect on systems
-/// that do not tell what a process has.
+/// As long as it lives, allocations beyond what the process has now and that many bytes throw
+/// std::bad_alloc. Without effect on systems that do not tell what a process has.
 class MemoryCap
 {
 public:

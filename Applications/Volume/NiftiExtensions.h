@@ -12,7 +12,8 @@
 
 namespace bonedecimate
 {
-/// The contents of the extensions between header and voxels, without the zeros at their ends; empty of any other file.
+/// The contents of the extensions between header and voxels, without the zeros at their ends; empty
+/// of any other file.
 std::vector<std::string> ReadNiftiExtensions(const std::string& path);
 }
 

@@ -112,7 +112,8 @@ std::string VoxelsProblem(const NiftiHeader& header, const ItkHeader& read, cons
                         : std::to_string(notFinite) + " of its voxels are not finite numbers";
 }
 
-/// ITK has another type for some voxels that have no scale: those of a slope of zero with an intercept.
+/// ITK has another type for some voxels that have no scale: those of a slope of zero with an
+/// intercept.
 ItkHeader WithStoredType(const NiftiHeader& header, const ItkHeader& read)
 {
   ItkHeader stored = read;

@@ -144,7 +144,8 @@ public:
   }
 
 private:
-  /// ITK mirrored x of a file in LAS instead of y before https://github.com/InsightSoftwareConsortium/ITK/pull/5224.
+  /// ITK mirrored x of a file in LAS instead of y before
+  /// https://github.com/InsightSoftwareConsortium/ITK/pull/5224.
   void CorrectSpace(VolumeGeometry& geometry) const
   {
     if (this->Header->space == nrrdSpaceLeftAnteriorSuperior && this->HasMirroredX(geometry))

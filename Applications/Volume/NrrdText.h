@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NrrdText.h
- * @brief The lines of a NRRD header, before its library reads them: what it would wait for without end or take too long for.
+ * @brief The lines of a NRRD header, before its library reads them: what it would wait for without
+ * end or take too long for.
  */
 #ifndef BoneDecimate_Applications_NrrdText_h
 #define BoneDecimate_Applications_NrrdText_h
@@ -34,8 +35,9 @@ struct NrrdText
 NrrdText ReadNrrdText(const std::string& path);
 
 /**
- * A header that the library reads in a time that grows with its size: it compares each key with all before it. Where there are many,
- * this is a file of its own with the keys that describe segments, which is removed at the end.
+ * A header that the library reads in a time that grows with its size: it compares each key with all
+ * before it. Where there are many, this is a file of its own with the keys that describe segments,
+ * which is removed at the end.
  */
 class NrrdHeaderFile
 {

@@ -151,7 +151,8 @@ private:
   Flags WasInside; // the layer before
 };
 
-/// Without those of two equal corners: where a voxel has the very value, several edges of the grid are cut in it.
+/// Without those of two equal corners: where a voxel has the very value, several edges of the grid
+/// are cut in it.
 vtkSmartPointer<vtkCellArray> TrianglesOf(vtkCellArray* found, vtkPoints* points, bool areTurned)
 {
   const auto triangles = vtkSmartPointer<vtkCellArray>::New();

@@ -18,9 +18,9 @@
 namespace bonedecimate::volume
 {
 /**
- * Points and triangles with three different corners, and nothing else; normals point to the smaller values, also where the
- * volume is mirrored. Of a slab (SlabReader.h) these are the triangles of the whole between its first
- * and its last layer, with the same coordinates bit for bit.
+ * Points and triangles with three different corners, and nothing else; normals point to the smaller
+ * values, also where the volume is mirrored. Of a slab (SlabReader.h) these are the triangles of
+ * the whole between its first and its last layer, with the same coordinates bit for bit.
  */
 vtkSmartPointer<vtkPolyData> OutwardContour(const Volume& volume, double value);
 

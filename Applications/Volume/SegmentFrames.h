@@ -20,7 +20,9 @@ namespace bonedecimate::volume
 /// What the bytes of its pixels mean.
 enum class SegmentPixels
 {
-  Bits, ///< Whether it is in the segment of the frame; eight to a byte, the first one lowest, frames without a gap.
+  /// Whether it is in the segment of the frame; eight to a byte, the first one lowest, frames
+  /// without a gap.
+  Bits,
   Bytes, ///< The label, 8 bits.
   Words  ///< The label, 16 bits, little-endian.
 };
@@ -50,7 +52,8 @@ public:
   std::string Arrange(const std::vector<SegmentFrame>& frames, std::int64_t planes,
     const std::vector<bool>& isChosen = {});
 
-  /// Writes a label for each pixel of the plane, 0 where it has no frame. Of several segments the last one counts.
+  /// Writes a label for each pixel of the plane, 0 where it has no frame. Of several segments the
+  /// last one counts.
   Overlap Combine(std::int64_t plane, std::uint16_t* labels) const;
 
 private:
@@ -63,8 +66,8 @@ private:
   std::vector<std::uint16_t> LabelOfSegment;
   std::vector<bool> IsLabel;
   std::vector<std::size_t> SegmentOfFrame;
-  std::vector<std::vector<std::size_t>>
-    FramesOfPlane; ///< Frames of each plane, in the order of segments.
+  /// Frames of each plane, in the order of segments.
+  std::vector<std::vector<std::size_t>> FramesOfPlane;
 };
 }
 

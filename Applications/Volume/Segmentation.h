@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Segmentation.h
- * @brief What a segmentation says about its segments, in a .seg.nrrd of 3D Slicer, and overlapping segments as one label map.
+ * @brief What a segmentation says about its segments, in a .seg.nrrd of 3D Slicer, and overlapping
+ * segments as one label map.
  */
 #ifndef BoneDecimate_Applications_Segmentation_h
 #define BoneDecimate_Applications_Segmentation_h
@@ -42,13 +43,14 @@ std::string OverlapNote(const Overlap& overlap);
 /// Error message for values that belong to no segment; empty if there are none.
 std::string UndescribedProblem(const Overlap& overlap);
 
-/// @param textOf The text of a key of the header, empty if it is not there: "Segment0_Name" and so on.
+/// @param textOf The text of a key of the header, empty if it is not there: "Segment0_Name" and so
+///   on.
 std::vector<Segment> ReadSegments(const std::function<std::string(const std::string&)>& textOf);
 
 /**
- * Makes one label map of a volume whose voxels have a value for each layer. Of several segments the last one
- * counts, as when 3D Slicer exports them to a label map. If labels repeat, the segments get the
- * labels from 1 on. A note says both.
+ * Makes one label map of a volume whose voxels have a value for each layer. Of several segments the
+ * last one counts, as when 3D Slicer exports them to a label map. If labels repeat, the segments
+ * get the labels from 1 on. A note says both.
  * @param selection Segments that are not wanted cover no others; their voxels are background.
  */
 Volume CombinedLayers(

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SpacingRuns.h
- * @brief Whether the distances of slices change on purpose: a head is often scanned finely below and coarsely above.
+ * @brief Whether the distances of slices change on purpose: a head is often scanned finely below
+ * and coarsely above.
  */
 #ifndef BoneDecimate_Applications_SpacingRuns_h
 #define BoneDecimate_Applications_SpacingRuns_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StoredVoxels.h
- * @brief Voxels that lie in a file as numbers, one after the other, compressed or not; read layer by layer.
+ * @brief Voxels that lie in a file as numbers, one after the other, compressed or not; read layer
+ * by layer.
  */
 #ifndef BoneDecimate_Applications_StoredVoxels_h
 #define BoneDecimate_Applications_StoredVoxels_h

@@ -30,7 +30,8 @@ struct TiffSlices
   std::string Problem;            ///< Why the folder is rejected; empty if it is not.
 };
 
-/// The numbers are what differs between the names of files. One that is missing is a reason to reject.
+/// The numbers are what differs between the names of files. One that is missing is a reason to
+/// reject.
 TiffSlices FindTiffSlices(const std::string& folder);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TiledTiff.h
- * @brief TIFF pages that ITK does not read right: those in tiles, which it makes colors of, and whole numbers of 32 bits, which
- * it leaves at zero (5.2).
+ * @brief TIFF pages that ITK does not read right: those in tiles, which it makes colors of, and
+ * whole numbers of 32 bits, which it leaves at zero (5.2).
  */
 #ifndef BoneDecimate_Applications_TiledTiff_h
 #define BoneDecimate_Applications_TiledTiff_h

@@ -33,8 +33,8 @@ using LayerPositions = std::vector<double>;
 
 struct Volume
 {
-  vtkSmartPointer<vtkImageData>
-    Image; ///< One value a voxel; its own origin and spacing mean nothing. Field arrays: LabelFields.h.
+  /// One value a voxel; its own origin and spacing mean nothing. Field arrays: LabelFields.h.
+  vtkSmartPointer<vtkImageData> Image;
   VolumeGeometry Geometry;
   LayerPositions Layers;
   std::string Problem; ///< Why there is no image; empty if there is one.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VolumeFile.h
- * @brief A volume from a file of any format that is read, or from a folder of DICOM files or TIFF slices; whole or layer by layer.
+ * @brief A volume from a file of any format that is read, or from a folder of DICOM files or TIFF
+ * slices; whole or layer by layer.
  */
 #ifndef BoneDecimate_Applications_VolumeFile_h
 #define BoneDecimate_Applications_VolumeFile_h
@@ -17,7 +18,8 @@
 
 namespace bonedecimate::volume
 {
-/// The reader goes by the extension. @param spacing Of files without one. @param selection Of segments that overlap.
+/// The reader goes by the extension. @param spacing Of files without one. @param selection Of
+/// segments that overlap.
 std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path,
   const VoxelSpacing& spacing = {}, const SegmentSelection& selection = {});
 

@@ -16,7 +16,8 @@ namespace bonedecimate
 /// mm along x, y and z, of volumes for which NeedsSpacing().
 using VoxelSpacing = std::optional<std::array<double, 3>>;
 
-/// True for a TIFF file of several pages, for a folder of TIFF slices, and for other volumes whose header has no spacing.
+/// True for a TIFF file of several pages, for a folder of TIFF slices, and for other volumes whose
+/// header has no spacing.
 bool NeedsSpacing(const std::string& path);
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WholeLabels.h
- * @brief Values of voxels as labels: rounded where a header's slope left a fraction, rejected where they are none.
+ * @brief Values of voxels as labels: rounded where a header's slope left a fraction, rejected where
+ * they are none.
  */
 #ifndef BoneDecimate_Applications_WholeLabels_h
 #define BoneDecimate_Applications_WholeLabels_h

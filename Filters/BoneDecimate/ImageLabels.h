@@ -22,12 +22,13 @@ namespace bonedecimate
 struct ImageLabels
 {
   LabelImage Image;
-  vtkSmartPointer<vtkDataArray>
-    Array;             ///< Holds the labels: the image's array, or its values as integers.
+  /// Holds the labels: the image's array, or its values as integers.
+  vtkSmartPointer<vtkDataArray> Array;
   std::string Problem; ///< One sentence; empty if the image has labels.
 };
 
-/// @param array Of the image; may be null. @param association Of vtkDataObject::FieldAssociations: points or cells.
+/// @param array Of the image; may be null. @param association Of vtkDataObject::FieldAssociations:
+///   points or cells.
 ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association);
 
 /// Requests all of the image, whatever part the consumer requests.

@@ -4,8 +4,10 @@
  * @file LabelArrays.h
  * @brief Labels of triangles from an array of cells or points.
  *
- *     cell array:    the tuple of the triangle's cell; several components are one label together (BoundaryLabels of surface nets)
- *     point array:   the tuple of two of the triangle's corners, or the least of three different ones
+ *     cell array:    the tuple of the triangle's cell; several components are one label together
+ *                    (BoundaryLabels of surface nets)
+ *     point array:   the tuple of two of the triangle's corners, or the least of three different
+ *                    ones
  *
  * Tuples are numbers in ascending order; the name of (3, 7) is "3_7".
  */
@@ -29,7 +31,8 @@ namespace bonedecimate
 std::optional<Labels> ReadLabels(
   vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association);
 
-/// For each cell the tuple that is its label, of a triangle as above; zeros for vertices and lines. Null as above.
+/// For each cell the tuple that is its label, of a triangle as above; zeros for vertices and lines.
+/// Null as above.
 vtkSmartPointer<vtkDataArray> LabelsOfCells(
   vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association);
 }

@@ -32,8 +32,9 @@ inline std::int64_t LabelIn(vtkDataArray* array, vtkIdType tuple, int component)
   return static_cast<std::int64_t>(array->GetComponent(tuple, component));
 }
 
-/// Brings LabelNames and LabelColors of the image, which are in the order of its LabelValues, into the order of the source's values.
-/// Rows of values that the image does not name are empty or 0. Without LabelValues in the image they are not changed.
+/// Brings LabelNames and LabelColors of the image, which are in the order of its LabelValues, into
+/// the order of the source's values. Rows of values that the image does not name are empty or 0.
+/// Without LabelValues in the image they are not changed.
 void OrderLabelFields(vtkFieldData* image, const LabelMapSource& source, vtkFieldData* output);
 }
 

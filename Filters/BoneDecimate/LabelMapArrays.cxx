@@ -115,7 +115,8 @@ public:
   }
 
 private:
-  /// Null if it is not there; a problem if it has another shape or is not finite. -1: any number of tuples.
+  /// Null if it is not there; a problem if it has another shape or is not finite. -1: any number of
+  /// tuples.
   vtkDataArray* Find(vtkFieldData* fields, const char* name, int components, vtkIdType tuples)
   {
     vtkDataArray* array = fields->GetArray(name);

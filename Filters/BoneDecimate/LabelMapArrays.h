@@ -5,14 +5,17 @@
  * @brief The arrays in which a vtkPolyData keeps from which label map it was extracted.
  *
  *     cell array    BoundaryLabels       values of the labels on both sides, two components
- *     cell array    OtherLabel           in the surface of one label: the label beyond each triangle; nothing reads it
- *     point array   GridPoint            int, three components, twice the voxel coordinates of a center
+ *     cell array    OtherLabel           in the surface of one label: the label beyond each
+ *                                        triangle; nothing reads it
+ *     point array   GridPoint        int, three components, twice the voxel coordinates of a center
  *     field arrays  VoxelGridOrigin      mm, the center of the first voxel, three components
  *                   VoxelGridSpacing     mm, three components
  *                   VoxelGridDirection   row by row, nine components; the columns are the axes
  *                   VoxelGridDimensions  int, number of voxels, three components
- *                   VoxelGridLayers      mm along the third axis of each layer from the first one, ascending; only if their
- *                                        distance changes. The third of VoxelGridSpacing is then the least distance
+ *                   VoxelGridLayers      mm along the third axis of each layer from the first one,
+ *                                        ascending; only if their
+ *                                        distance changes. The third of VoxelGridSpacing is then
+ *                                          the least distance
  *                   LabelValues          the labels, ascending, and at the end the background
  *                   LabelNames           texts, in the order of LabelValues; if the image had them
  *                   LabelColors          in the order of LabelValues; if the image had them
@@ -58,8 +61,8 @@ struct ReadLabelMap
 };
 
 /**
- * Reads the arrays back. Those that are not there are empty, without a grid its dimensions are 0. Without LabelValues the values are
- * those of BoundaryLabels, ascending, with 0 as background.
+ * Reads the arrays back. Those that are not there are empty, without a grid its dimensions are 0.
+ * Without LabelValues the values are those of BoundaryLabels, ascending, with 0 as background.
  *
  * @param converted The same surface in the core's form; says of which cell each triangle is.
  */

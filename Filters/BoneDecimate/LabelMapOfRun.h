@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelMapOfRun.h
- * @brief What a run knows of the label map of its input: the arrays of the surface, and the map itself if it is given.
+ * @brief What a run knows of the label map of its input: the arrays of the surface, and the map
+ * itself if it is given.
  *
  *     arrays with a voxel grid     the grid of the surface; a map that is given must have the same
- *     no grid, but a map           the grid of the map; points in the middles of its grid edges are known by their positions
+ *     no grid, but a map           the grid of the map; points in the middles of its grid edges are
+ *                                  known by their positions
  *     neither, KeepVoxels is On    the grid is looked for in the points
  */
 #ifndef LabelMapOfRun_h
@@ -36,7 +38,8 @@ struct LabelMapOfRun
     return this->Source.Grid.Dimensions[0] > 0 ? &this->Source : nullptr;
   }
 
-  /// Replaces the comparison of the result's voxels with those of the input by one with those of the map, if it is given.
+  /// Replaces the comparison of the result's voxels with those of the input by one with those of
+  /// the map, if it is given.
   /// @returns Warnings.
   std::vector<std::string> CompareWithMap(
     const Surface& input, const Options& options, Result& result) const;
@@ -45,8 +48,8 @@ struct LabelMapOfRun
 struct LabelMapRequest
 {
   vtkImageData* Map = nullptr; ///< Its active scalars are the labels; null: none.
-  std::int64_t Label =
-    0; ///< What a surface without BoundaryLabels encloses; 0: the only label of the map.
+  /// What a surface without BoundaryLabels encloses; 0: the only label of the map.
+  std::int64_t Label = 0;
 };
 
 /// @param options Of the run.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LeftOutCells.h
- * @brief What of a vtkPolyData is no surface to be proved: cells without a triangle, lines, vertices, and what the reader of its
+ * @brief What of a vtkPolyData is no surface to be proved: cells without a triangle, lines,
+ * vertices, and what the reader of its
  *        file left out (LeftOutOfReader.h).
  */
 #ifndef LeftOutCells_h

@@ -4,7 +4,8 @@
  * @file LeftOutOfParts.cxx
  * @brief What a surface in parts left out, and the checksum of its result, from those of its parts.
  *
- *     numbers of a part     two halves of the checksum; then for each entry its count, and each of its texts: length, bytes
+ *     numbers of a part     two halves of the checksum; then for each entry its count, and each of
+ *                           its texts: length, bytes
  */
 #include "LeftOutOfParts.h"
 

@@ -4,8 +4,9 @@
  * @file LeftOutOfReader.h
  * @brief What the reader of a file left out of a surface.
  *
- * It is in the field array BoneDecimateLeftOut: four texts for each entry, its kind, count, noun and where the first is (Figures/LeftOut.h).
- * The report of a run takes them over, and the array ends there.
+ * It is in the field array BoneDecimateLeftOut: four texts for each entry, its kind, count, noun
+ * and where the first is (Figures/LeftOut.h). The report of a run takes them over, and the array
+ * ends there.
  */
 #ifndef LeftOutOfReader_h
 #define LeftOutOfReader_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NamedArrays.h
- * @brief The surface of a run, and what the arrays that its options name say of it: tolerances and edge lengths of points, labels
- * of triangles.
+ * @brief The surface of a run, and what the arrays that its options name say of it: tolerances and
+ * edge lengths of points, labels of triangles.
  */
 #ifndef NamedArrays_h
 #define NamedArrays_h
@@ -39,8 +39,8 @@ struct NamedArrays
   std::optional<std::vector<double>> Tolerances;  ///< mm, of each point; nothing: none is named.
   std::optional<std::vector<double>> EdgeLengths; ///< mm, of each point; nothing: none is named.
   std::optional<bonedecimate::Labels> Labels;     ///< Labels of triangles; nothing: none is named.
-  vtkDataArray* LabelsOfCells =
-    nullptr;           ///< The array of the labels if it belongs to cells, or null.
+  /// The array of the labels if it belongs to cells, or null.
+  vtkDataArray* LabelsOfCells = nullptr;
   std::string Problem; ///< One sentence; empty if the input has what is named.
 
   /// Inputs of a run with these arrays; they refer to this object.

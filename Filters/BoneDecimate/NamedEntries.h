@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NamedEntries.h
- * @brief The entries of a report as the filters hand them out: by number, by name, as number, as text.
+ * @brief The entries of a report as the filters hand them out: by number, by name, as number, as
+ * text.
  */
 #ifndef NamedEntries_h
 #define NamedEntries_h

@@ -29,7 +29,8 @@ namespace
 {
 using namespace bonedecimate;
 
-/// Whether the name is that of an entry that the report of a surface in parts has, beside its numbers.
+/// Whether the name is that of an entry that the report of a surface in parts has, beside its
+/// numbers.
 bool IsOfWhole(const std::string& name)
 {
   return name.rfind("smoothing.", 0) == 0 || name.rfind("voxels.", 0) == 0 ||
@@ -152,7 +153,8 @@ vtkSmartPointer<vtkDataArray> vtkBoneDecimate::GetCellLabels(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
-/// The report then has the proof of what the run has changed, and the result the bounds of changed points.
+/// The report then has the proof of what the run has changed, and the result the bounds of changed
+/// points.
 void vtkBoneDecimate::ProveContinuedPart(const RunInput& read, Result& result)
 {
   Options options = this->State->Options;

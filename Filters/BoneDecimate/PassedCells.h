@@ -18,7 +18,8 @@ class vtkPolyData;
 
 namespace bonedecimate
 {
-/// Where points and cells of the output come from that are no part of the surface. Ids are those of the input.
+/// Where points and cells of the output come from that are no part of the surface. Ids are those of
+/// the input.
 struct PassedIds
 {
   std::vector<vtkIdType> Points; ///< Those after the surface's.

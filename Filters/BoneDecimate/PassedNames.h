@@ -26,14 +26,16 @@ std::set<std::string> OwnPointArrays(const Options& options);
 std::set<std::string> OwnInputArrays(const Options& options);
 
 /**
- * The name of an input array in the result. An array with the name of an own array is either that of an earlier run, which is
- * dropped, or the user's, which gets another name: "Distance.input". Arrays of runs have the unit as the name of their component.
+ * The name of an input array in the result. An array with the name of an own array is either that
+ * of an earlier run, which is dropped, or the user's, which gets another name: "Distance.input".
+ * Arrays of runs have the unit as the name of their component.
  * @param own Names of the arrays that the run adds. @return Empty: dropped.
  */
 std::string PassedName(
   vtkAbstractArray* array, const std::set<std::string>& own, vtkDataSetAttributes* data);
 
-/// A sentence for each array that gets another name, and for texture coordinates that are left out (TextureSeams.h).
+/// A sentence for each array that gets another name, and for texture coordinates that are left out
+/// (TextureSeams.h).
 std::vector<std::string> ArrayWarnings(vtkPolyData* input, const Options& options);
 
 /// Keeps arrays of the user in the copy of an input under such names.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Pieces.h
- * @brief Which piece of the output of a filter is requested: each of several processes requests one of its own.
+ * @brief Which piece of the output of a filter is requested: each of several processes requests one
+ * of its own.
  */
 #ifndef Pieces_h
 #define Pieces_h

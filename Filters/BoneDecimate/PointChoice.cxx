@@ -20,7 +20,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Name of vtkExtractSelection's array when it preserves the topology: 1 where something is selected.
+/// Name of vtkExtractSelection's array when it preserves the topology: 1 where something is
+/// selected.
 const char* const InsideName = "vtkInsidedness";
 
 bool IsPositive(double value)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PointChoice.h
- * @brief Points of a polydata that are chosen, by themselves or as corners of cells, and how far the others are from them.
+ * @brief Points of a polydata that are chosen, by themselves or as corners of cells, and how far
+ * the others are from them.
  */
 #ifndef PointChoice_h
 #define PointChoice_h
@@ -33,7 +34,8 @@ PointChoice ChooseCells(
 /// By points if the selection names points, else by cells.
 PointChoice ChooseBySelection(vtkPolyData* surface, vtkSelection* selection, bool inverted);
 
-/// mm, in a straight line from each point to the nearest that is chosen; `most` where that is farther.
+/// mm, in a straight line from each point to the nearest that is chosen; `most` where that is
+/// farther.
 std::vector<double> DistancesToChosen(vtkPolyData* surface, const PointChoice& choice, double most);
 }
 

@@ -28,8 +28,9 @@ struct TriangulatedCells
 };
 
 /**
- * Every polygon is triangulated (PolygonTriangulation.h). Polygons and strips of fewer than three corners at different positions
- * are left out. If a cell has a wrong id, the result is one triangle of three None for each of these cells: the core rejects it.
+ * Every polygon is triangulated (PolygonTriangulation.h). Polygons and strips of fewer than three
+ * corners at different positions are left out. If a cell has a wrong id, the result is one triangle
+ * of three None for each of these cells: the core rejects it.
  */
 TriangulatedCells TriangulateCells(vtkPolyData* input, const std::vector<Vector3>& points);
 }

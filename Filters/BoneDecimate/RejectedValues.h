@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RejectedValues.h
- * @brief Properties of a filter whose last value was outside the range: the filter fails to update until they get another.
+ * @brief Properties of a filter whose last value was outside the range: the filter fails to update
+ * until they get another.
  */
 #ifndef BoneDecimate_RejectedValues_h
 #define BoneDecimate_RejectedValues_h
@@ -21,8 +22,8 @@ namespace bonedecimate
 class RejectedValues
 {
 public:
-  /// Notes what is wrong with a value of a property, in one sentence, as an error event of the filter; an empty sentence
-  /// is a valid value.
+  /// Notes what is wrong with a value of a property, in one sentence, as an error event of the
+  /// filter; an empty sentence is a valid value.
   /// @returns Whether the value is valid.
   bool Check(vtkObject* filter, const std::string& property, const std::string& problem)
   {
@@ -87,8 +88,9 @@ public:
     return !this->Sentences.empty();
   }
 
-  /// The time of change of the filter: now, as long as there is a rejected value. VTK does not run a filter again that failed
-  /// and has not changed since, and the second update would fail silently.
+  /// The time of change of the filter: now, as long as there is a rejected value. VTK does not run
+  /// a filter again that failed and has not changed since, and the second update would fail
+  /// silently.
   vtkMTimeType MTime(vtkMTimeType own) const
   {
     vtkTimeStamp now;

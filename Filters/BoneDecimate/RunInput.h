@@ -20,12 +20,12 @@ struct vtkBoneDecimate::RunInput
 {
   bonedecimate::ConvertedSurface Converted;
   bonedecimate::ConvertedSurface Reference;
-  std::optional<std::vector<double>>
-    Tolerances; ///< mm, of each point; nothing: the array does not suit.
-  std::optional<std::vector<double>>
-    EdgeLengths; ///< mm, of each point; nothing: none is named, or the array does not suit.
-  std::optional<bonedecimate::Labels>
-    Labels; ///< Labels of the triangles; nothing: the array does not suit.
+  /// mm, of each point; nothing: the array does not suit.
+  std::optional<std::vector<double>> Tolerances;
+  /// mm, of each point; nothing: none is named, or the array does not suit.
+  std::optional<std::vector<double>> EdgeLengths;
+  /// Labels of the triangles; nothing: the array does not suit.
+  std::optional<bonedecimate::Labels> Labels;
   bonedecimate::LabelMapOfRun Map;
   std::shared_ptr<bonedecimate::RegionCache> Prepared; ///< Null: nothing is to be kept.
   bonedecimate::RunInputs Inputs;

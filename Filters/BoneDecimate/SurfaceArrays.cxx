@@ -28,7 +28,8 @@ void CopyPoints(const Value* from, int threads, std::vector<Vector3>& points)
     [&](std::size_t p) { points[p] = Vector3(from[3 * p], from[3 * p + 1], from[3 * p + 2]); });
 }
 
-/// The array, or a copy where it is stored in another way: since VTK 9.6 offsets of triangles may be computed.
+/// The array, or a copy where it is stored in another way: since VTK 9.6 offsets of triangles may
+/// be computed.
 template <typename Value>
 vtkSmartPointer<vtkAOSDataArrayTemplate<Value>> ToPlainArray(vtkDataArray* array)
 {

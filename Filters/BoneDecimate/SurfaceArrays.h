@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceArrays.h
- * @brief Points and triangles straight from and to the arrays in which VTK stores them, block by block over threads.
+ * @brief Points and triangles straight from and to the arrays in which VTK stores them, block by
+ * block over threads.
  */
 #ifndef SurfaceArrays_h
 #define SurfaceArrays_h

@@ -133,7 +133,8 @@ vtkSmartPointer<vtkAbstractArray> ReportArray(const ReportEntry& entry)
   return array;
 }
 
-/// A report of an earlier run does not describe this result, and neither does a certificate of another pair.
+/// A report of an earlier run does not describe this result, and neither does a certificate of
+/// another pair.
 void RemoveReport(const ReportArrays& arrays, vtkFieldData* fieldData)
 {
   for (int i = fieldData->GetNumberOfArrays(); i-- > 0;)

@@ -35,7 +35,8 @@ struct ConvertedSurface
   vtkIdType operator()(std::size_t triangle) const { return this->CellOfTriangle[triangle]; }
 };
 
-/// Triangles as they are, strips and polygons triangulated (PolygonCells.h), ids out of range as None (the core counts them).
+/// Triangles as they are, strips and polygons triangulated (PolygonCells.h), ids out of range as
+/// None (the core counts them).
 ConvertedSurface ToSurface(vtkPolyData* input, int threads);
 
 /// The values of an array; nothing if it is null or has several components.
@@ -44,8 +45,8 @@ std::optional<std::vector<double>> ReadNumbers(vtkDataArray* array);
 /// Whether the run has to say where its points and triangles lie on the input.
 bool NeedsOrigins(vtkPolyData* input, const Options& options);
 
-/// The result's points, triangles, report and those arrays that were filled (Decimate.h); the input's vertices, lines and
-/// field data pass through, its arrays as DataTransfer.h says.
+/// The result's points, triangles, report and those arrays that were filled (Decimate.h); the
+/// input's vertices, lines and field data pass through, its arrays as DataTransfer.h says.
 void FillOutput(const Result& result, const ConvertedSurface& converted, const Options& options,
   bool single, vtkPolyData* input, vtkPolyData* output);
 
@@ -59,12 +60,13 @@ struct ReportArrays
 const ReportArrays& ArraysOfReport();      ///< BoneDecimateReport, bonedecimate.*
 const ReportArrays& ArraysOfCertificate(); ///< BoneDecimateCertificate, bonedecimate.certificate.*
 
-/// Replaces the reports of earlier runs. The key figures that are among the entries get an array each, with their unit.
+/// Replaces the reports of earlier runs. The key figures that are among the entries get an array
+/// each, with their unit.
 void SetReport(
   const std::vector<ReportEntry>& entries, const ReportArrays& arrays, vtkFieldData* fieldData);
 
-/// The input with the distance of each of its points to the result, if it was measured, and the map, if MakeMaps is on or these
-/// distances are those of an input that was pruned.
+/// The input with the distance of each of its points to the result, if it was measured, and the
+/// map, if MakeMaps is on or these distances are those of an input that was pruned.
 void FillInputCopy(
   const Result& result, const Options& options, vtkPolyData* input, vtkPolyData* output);
 }

@@ -98,7 +98,8 @@ void Append(const bonedecimate::CapsOfSurface& caps,
   data->AddArray(isCap);
 }
 
-/// The points inside of caps, with the values of one of their neighbors; the points of the input themselves if there are none.
+/// The points inside of caps, with the values of one of their neighbors; the points of the input
+/// themselves if there are none.
 void AppendPoints(const bonedecimate::CapsOfSurface& caps, vtkPolyData* input, vtkPolyData* output)
 {
   if (caps.Points.empty())

@@ -4,18 +4,22 @@
  * @class   vtkBoneCap
  * @brief   close open boundaries, on request
  *
- * The surface of a volume is open where bone reaches the edge of the scan, and volume meshers and solvers take closed
- * surfaces. This filter fills boundaries with triangles between their points; a point is added inside of a cap
- * only where an edge of the cap would be one of the surface. Points and cells of the input stay as they are; caps follow the polygons of the input. The cell array BoneCap is 1 for triangles of caps and 0 for all others. Other
- * cell arrays of a cap have the values of a neighboring cell.
+ * The surface of a volume is open where bone reaches the edge of the scan, and volume meshers and
+ * solvers take closed surfaces. This filter fills boundaries with triangles between their points; a
+ * point is added inside of a cap only where an edge of the cap would be one of the surface. Points
+ * and cells of the input stay as they are; caps follow the polygons of the input. The cell array
+ * BoneCap is 1 for triangles of caps and 0 for all others. Other cell arrays of a cap have the
+ * values of a neighboring cell.
  *
- * A cap is bone where the scan shows none: it is no part of an error bound or a certificate, unless it is added to the input
- * before decimation. With PlanarLoops, the default, only loops at planes where the surface ends are capped: those of a
- * scan's edge. Loops in one plane are filled together, so that a medullary canal stays a hole. Loops around an edge of the volume lie
- * in several planes and are left open. Loops that cannot be filled stay open and are counted. A cap
+ * A cap is bone where the scan shows none: it is no part of an error bound or a certificate, unless
+ * it is added to the input before decimation. With PlanarLoops, the default, only loops at planes
+ * where the surface ends are capped: those of a scan's edge. Loops in one plane are filled
+ * together, so that a medullary canal stays a hole. Loops around an edge of the volume lie in
+ * several planes and are left open. Loops that cannot be filled stay open and are counted. A cap
  * intersects the surface where triangles of the surface lie in the plane, too; that is not checked.
  *
- * Input: triangles or polygons in millimeters, no strips, on one process: a surface in several pieces is rejected.
+ * Input: triangles or polygons in millimeters, no strips, on one process: a surface in several
+ * pieces is rejected.
  *
  * @sa vtkBoneDecimate vtkBoneDiagnostics
  */
@@ -45,8 +49,8 @@ public:
 
   ///@{
   /**
-   * Which loops are capped: PlanarLoops (0, the default) or AllLoops (1). Other numbers are an error event; the value before stays,
-   * and updates fail until there is a valid one.
+   * Which loops are capped: PlanarLoops (0, the default) or AllLoops (1). Other numbers are an
+   * error event; the value before stays, and updates fail until there is a valid one.
    */
   void SetLoops(int choice);
   vtkGetMacro(Loops, int);
@@ -54,8 +58,8 @@ public:
 
   ///@{
   /**
-   * mm, 0 or more, default 0.01: how far points of a loop may lie from their plane, and points of the surface beyond it. Other numbers are
-   * an error event as above.
+   * mm, 0 or more, default 0.01: how far points of a loop may lie from their plane, and points of
+   * the surface beyond it. Other numbers are an error event as above.
    */
   void SetPlaneTolerance(double tolerance);
   vtkGetMacro(PlaneTolerance, double);
@@ -74,7 +78,8 @@ public:
   ///@}
 
   /**
-   * What is wrong with the last value of a property ("PlaneTolerance"), in one sentence; empty if it was valid.
+   * What is wrong with the last value of a property ("PlaneTolerance"), in one sentence; empty if
+   * it was valid.
    */
   std::string GetRejectedValue(const std::string& property) const;
 

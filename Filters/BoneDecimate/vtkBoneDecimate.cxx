@@ -43,8 +43,8 @@ void FillOutputs(const bonedecimate::Result& result,
   bonedecimate::FillInputCopy(result, options, input, vtkPolyData::GetData(outputs, 1));
 }
 
-/// What a report of a part says: its size and its options are made from those of the whole, except the mode, which decides
-/// what there is to report.
+/// What a report of a part says: its size and its options are made from those of the whole, except
+/// the mode, which decides what there is to report.
 bonedecimate::Report ReportOfPart(bonedecimate::Report report)
 {
   const auto mode = report.Requested.Mode;

@@ -4,8 +4,9 @@
  * @class   vtkBoneDecimateAlgorithm
  * @brief   superclass of the filters that run a decimation: the report of the last run
  *
- * The figures that are needed most have getters of their own. The whole report is one JSON text (GetReportAsJson()), which
- * the output carries in its field data, and a flat list of named entries (GetReportValue()). Lengths are millimeters.
+ * The figures that are needed most have getters of their own. The whole report is one JSON text
+ * (GetReportAsJson()), which the output carries in its field data, and a flat list of named entries
+ * (GetReportValue()). Lengths are millimeters.
  *
  * @sa vtkBoneDecimate vtkBoneDecimateLevels vtkBoneErrorSearch
  */
@@ -59,24 +60,26 @@ public:
   /// Whether the filter has an option of that name ("MaximumError").
   virtual bool HasOption(const std::string& name) const;
 
-  /// Sets an option by its name from text: a number, "on" or "off", the name of a choice. An unknown name and a value outside the
-  /// range are error events. @returns Whether the option has that value now.
+  /// Sets an option by its name from text: a number, "on" or "off", the name of a choice. An
+  /// unknown name and a value outside the range are error events. @returns Whether the option has
+  /// that value now.
   bool SetOptionFromText(const std::string& name, const std::string& text);
 
   /// Value of an option as SetOptionFromText() reads it; empty if the filter has no such option.
   std::string GetOptionAsText(const std::string& name) const;
 
-  /// The label map from which the input was extracted: its active scalars are the labels of voxels, as points or cells. A surface
-  /// that does not carry its voxel grid, such as that of another program, gets the grid of the map, for KeepVoxels and smoothing.
-  /// The voxels of the result are compared with those of the map. A surface with another grid is an error. Default none.
+  /// The label map from which the input was extracted: its active scalars are the labels of voxels,
+  /// as points or cells. A surface that does not carry its voxel grid, such as that of another
+  /// program, gets the grid of the map, for KeepVoxels and smoothing. The voxels of the result are
+  /// compared with those of the map. A surface with another grid is an error. Default none.
   void SetLabelMapData(vtkImageData* map);
 
   /// Sets the label map as a connection, to the last input port. Default none.
   void SetLabelMapConnection(vtkAlgorithmOutput* map);
 
   ///@{
-  /// The label of the label map that a surface without the array BoundaryLabels encloses. 0: the only label of the map that is not 0; a
-  /// map with several is then an error. Default 0.
+  /// The label of the label map that a surface without the array BoundaryLabels encloses. 0: the
+  /// only label of the map that is not 0; a map with several is then an error. Default 0.
   void SetLabel(vtkTypeInt64 label);
   vtkGetMacro(Label, vtkTypeInt64);
   ///@}
@@ -87,18 +90,21 @@ public:
   /// Why the last run ended, as a sentence.
   std::string GetStopReasonAsString() const;
 
-  /// Proved upper bound of the distance between the input (or the reference) and the result, in both directions and between
-  /// open boundaries, mm. NaN if nothing was proved, and before the first update.
+  /// Proved upper bound of the distance between the input (or the reference) and the result, in
+  /// both directions and between open boundaries, mm. NaN if nothing was proved, and before the
+  /// first update.
   double GetProvedError() const;
 
-  /// Whether the largest error is proved: one of ProofStatuses; NO_PROOF if there is none, and before the first update.
+  /// Whether the largest error is proved: one of ProofStatuses; NO_PROOF if there is none, and
+  /// before the first update.
   int GetProofStatus() const;
 
   /// The status of the proof in one word: "not_requested", "proved", "violated" or "undecided".
   std::string GetProofStatusAsString() const;
 
-  /// Largest distance between the input and the result that was found by samples, in both directions, mm: a lower bound of the
-  /// true distance. NaN without MeasureDistances, and before the first update.
+  /// Largest distance between the input and the result that was found by samples, in both
+  /// directions, mm: a lower bound of the true distance. NaN without MeasureDistances, and before
+  /// the first update.
   double GetMeasuredError() const;
 
   /// Number of triangles of the input after cleaning and pruning; 0 before the first update.
@@ -107,23 +113,28 @@ public:
   /// Number of triangles of the result of the last run; 0 before the first update.
   vtkIdType GetNumberOfOutputTriangles() const;
 
-  /// Number of edits that the last run rejected, for all reasons together; 0 before the first update.
+  /// Number of edits that the last run rejected, for all reasons together; 0 before the first
+  /// update.
   vtkIdType GetNumberOfRejectedEdits() const;
 
-  /// Number of edits that were rejected for one reason, named as in the report ("error_bound"); 0 if the reason is unknown.
+  /// Number of edits that were rejected for one reason, named as in the report ("error_bound"); 0
+  /// if the reason is unknown.
   vtkIdType GetNumberOfRejectedEdits(const std::string& reason) const;
 
-  /// The whole report as JSON, objects within objects, as Documentation/report.schema.json describes it.
+  /// The whole report as JSON, objects within objects, as Documentation/report.schema.json
+  /// describes it.
   std::string GetReportAsJson() const;
 
-  /// Whether the report that a surface carries in its field data was made for this very surface: whether its triangles have the
-  /// checksum of the report, to the bit and in any order. If not, what the report proves was proved of another surface.
+  /// Whether the report that a surface carries in its field data was made for this very surface:
+  /// whether its triangles have the checksum of the report, to the bit and in any order. If not,
+  /// what the report proves was proved of another surface.
   static bool HasReportOfItself(vtkPolyData* surface);
 
   /// That checksum, "triangles:0123456789abcdef".
   static std::string GetTriangleChecksum(vtkPolyData* surface);
 
-  /// Number of entries of the report as a flat list of named values ("output.triangles", "distance.output_to_input.max", ...).
+  /// Number of entries of the report as a flat list of named values ("output.triangles",
+  /// "distance.output_to_input.max", ...).
   int GetNumberOfReportEntries() const;
 
   /// Name of an entry, 0 to GetNumberOfReportEntries() - 1; empty for other numbers.
@@ -138,7 +149,8 @@ public:
   /// Value of an entry as text, numbers with all their digits; empty if the name is unknown.
   std::string GetReportText(const std::string& name) const;
 
-  /// What is wrong with the last value of an option or property ("MaximumError"), in one sentence; empty if it was valid.
+  /// What is wrong with the last value of an option or property ("MaximumError"), in one sentence;
+  /// empty if it was valid.
   std::string GetRejectedValue(const std::string& property) const;
 
 protected:
@@ -151,13 +163,16 @@ protected:
   /// Reports each sentence as a warning.
   void Warn(const std::vector<std::string>& sentences);
 
-  /// What is wrong with a value that is in the range of its option, in one sentence; empty if nothing is.
+  /// What is wrong with a value that is in the range of its option, in one sentence; empty if
+  /// nothing is.
   virtual std::string OptionProblem(
     const bonedecimate::Options& changed, const std::string& name) const;
 
   /**
-   * Why the first option in use cannot be followed by a run of these kinds, in one sentence; empty if all can.
-   * @param kinds Names of rows of the core's table (RunKinds.h).  @param alsoUsed Options whose values do not tell that they are.
+   * Why the first option in use cannot be followed by a run of these kinds, in one sentence; empty
+   * if all can.
+   * @param kinds Names of rows of the core's table (RunKinds.h).  @param alsoUsed Options whose
+   *   values do not tell that they are.
    */
   std::string FindUnsupportedOption(
     const std::vector<std::string>& kinds, const std::vector<std::string>& alsoUsed) const;
@@ -165,7 +180,8 @@ protected:
   /// An option has another value now.
   virtual void OptionChanged(const std::string& name);
 
-  /// The input port of the label map, the last one. Called by constructors after they have set the number of the others.
+  /// The input port of the label map, the last one. Called by constructors after they have set the
+  /// number of the others.
   void AddLabelMapPort();
 
   bonedecimate::LabelMapRequest GetLabelMapRequest(vtkInformationVector** inputs) const;

@@ -211,7 +211,8 @@ int vtkBoneDecimateLevels::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-/// Makes the levels of the input; there are none if it has no triangles. False if the input or the log was rejected.
+/// Makes the levels of the input; there are none if it has no triangles. False if the input or the
+/// log was rejected.
 bool vtkBoneDecimateLevels::Prepare(
   vtkPolyData* input, vtkPolyData* reference, const bonedecimate::LabelMapRequest& request)
 {
@@ -241,7 +242,8 @@ bool vtkBoneDecimateLevels::Prepare(
 }
 
 //------------------------------------------------------------------------------
-/// Reads the surface, its arrays, its label map and the reference. False if they do not suit each other.
+/// Reads the surface, its arrays, its label map and the reference. False if they do not suit each
+/// other.
 bool vtkBoneDecimateLevels::ReadArrays(
   vtkPolyData* input, vtkPolyData* reference, const bonedecimate::LabelMapRequest& request)
 {

@@ -4,11 +4,12 @@
  * @class   vtkBoneDiagnostics
  * @brief   find defects of a surface before it is processed
  *
- * Takes triangles, strips or polygons in millimeters and passes them on as they are. The diagnostics are a list: NaN and
- * infinite points, ids out of range, repeated corners, triangles without area, duplicates and backs of other triangles,
- * unused and equal points, edges and points that are not manifold, inconsistent orientation, open boundaries, points that
- * nearly touch another boundary (with the distance over which they would have to be welded), components, a size that is
- * not that of a bone in millimeters. Nothing is repaired.
+ * Takes triangles, strips or polygons in millimeters and passes them on as they are. The
+ * diagnostics are a list: NaN and infinite points, ids out of range, repeated corners, triangles
+ * without area, duplicates and backs of other triangles, unused and equal points, edges and points
+ * that are not manifold, inconsistent orientation, open boundaries, points that nearly touch
+ * another boundary (with the distance over which they would have to be welded), components, a size
+ * that is not that of a bone in millimeters. Nothing is repaired.
  *
  * @sa vtkBoneDecimate
  */
@@ -32,7 +33,8 @@ public:
   vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /**
-   * Number of diagnostics of the last update. Diagnostics are numbered from 0; for other numbers the getters return an empty text, 0 or NaN.
+   * Number of diagnostics of the last update. Diagnostics are numbered from 0; for other numbers
+   * the getters return an empty text, 0 or NaN.
    */
   int GetNumberOfDiagnostics() const;
 
@@ -52,8 +54,8 @@ public:
   std::string GetSentence(int diagnostic) const;
 
   /**
-   * What decimation does about it: "note" (nothing is wrong), "kept" (it stays as it is), "cleaned" (merged or left out, and
-   * counted) or "rejected".
+   * What decimation does about it: "note" (nothing is wrong), "kept" (it stays as it is), "cleaned"
+   * (merged or left out, and counted) or "rejected".
    */
   std::string GetSeverity(int diagnostic) const;
 
@@ -63,8 +65,8 @@ public:
   vtkIdType GetCount(int diagnostic) const;
 
   /**
-   * mm: of "unwelded_points" the distance over which they would have to be welded, of "odd_size" the diagonal of the bounding
-   * box. NaN for all others.
+   * mm: of "unwelded_points" the distance over which they would have to be welded, of "odd_size"
+   * the diagonal of the bounding box. NaN for all others.
    */
   double GetLength(int diagnostic) const;
 
@@ -80,8 +82,9 @@ public:
 
   ///@{
   /**
-   * What of the last input is no surface to be decimated and proved: polygons without a triangle, lines, vertices, and what the reader
-   * of its file left out. Its kind in one word ("lines"), how many there are, and a sentence.
+   * What of the last input is no surface to be decimated and proved: polygons without a triangle,
+   * lines, vertices, and what the reader of its file left out. Its kind in one word ("lines"), how
+   * many there are, and a sentence.
    */
   int GetNumberOfLeftOut() const;
   std::string GetLeftOutKind(int entry) const;
@@ -91,15 +94,17 @@ public:
 
   ///@{
   /**
-   * Threads to use, 0 to 1024; 0, the default, is one per processor. The diagnostics do not depend on it. Other numbers are an
-   * error event; the value before stays, and updates fail until there is a valid one.
+   * Threads to use, 0 to 1024; 0, the default, is one per processor. The diagnostics do not depend
+   * on it. Other numbers are an error event; the value before stays, and updates fail until there
+   * is a valid one.
    */
   void SetNumberOfThreads(int threads);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
   /**
-   * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if it was valid.
+   * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if
+   * it was valid.
    */
   std::string GetRejectedValue(const std::string& property) const;
 

@@ -2,28 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBoneErrorSearch
- * @brief   the smallest error that can be proved for a number of triangles, and the curve of one against the other
+ * @brief   the smallest error that can be proved for a number of triangles, and the curve of one
+ * against the other
  *
- * Runs several decimations. With TargetNumberOfTriangles it searches for the smallest largest error (mm) that is proved for a
- * result of at most so many triangles. The first run has no largest error and is certified afterwards; the result with the
- * smaller proved error is returned. With errors (AddError()) it runs once for each of them instead: the curve of the number of
- * triangles against the error. Mode must be another than THESIS, which proves nothing. AllowLargeError applies to curves; a
- * search measures its errors.
+ * Runs several decimations. With TargetNumberOfTriangles it searches for the smallest largest error
+ * (mm) that is proved for a result of at most so many triangles. The first run has no largest error
+ * and is certified afterwards; the result with the smaller proved error is returned. With errors
+ * (AddError()) it runs once for each of them instead: the curve of the number of triangles against
+ * the error. Mode must be another than THESIS, which proves nothing. AllowLargeError applies to
+ * curves; a search measures its errors.
  *
- * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
- * valid one.
+ * A value outside its range is an error event when it is set: the property keeps its value, and
+ * updates fail until it gets a valid one.
  *
- * Tolerances of points (ToleranceArrayName) and labels of triangles (LabelArrayName) hold in every run. A result is reached only if
- * its tolerances are proved, too.
+ * Tolerances of points (ToleranceArrayName) and labels of triangles (LabelArrayName) hold in every
+ * run. A result is reached only if its tolerances are proved, too.
  *
- * Input port 0: the surface. Input port 1, optional: the reference (SetReferenceData()): the first surface of which the input is a
- * result; all errors are those to it. Input port 2, optional: the label map (SetLabelMapData()).
+ * Input port 0: the surface. Input port 1, optional: the reference (SetReferenceData()): the first
+ * surface of which the input is a result; all errors are those to it. Input port 2, optional: the
+ * label map (SetLabelMapData()).
  *
- * Output port 0: the surface of the best run (of the last error for a curve) with its report; with labels, which it keeps, also with
- * the arrays of the input.
- * Output port 1: a table with a row for each run: MaximumError (mm; 0: none), Triangles, ProvedError (mm, both
- * ways and open boundaries), Reached (whether it is proved and has no more triangles than requested) and Seconds; with a voxel grid
- * ChangedVoxels (with another label than in the input).
+ * Output port 0: the surface of the best run (of the last error for a curve) with its report; with
+ * labels, which it keeps, also with the arrays of the input.
+ * Output port 1: a table with a row for each run: MaximumError (mm; 0: none), Triangles,
+ * ProvedError (mm, both ways and open boundaries), Reached (whether it is proved and has no more
+ * triangles than requested) and Seconds; with a voxel grid ChangedVoxels (with another label than
+ * in the input).
  *
  * @sa vtkBoneDecimate vtkBoneSurfaceDistance
  */
@@ -47,7 +51,8 @@ public:
 
   ///@{
   /**
-   * The search ends when the smallest error found and the largest that was tried in vain differ by at most this ratio,
+   * The search ends when the smallest error found and the largest that was tried in vain differ by
+   * at most this ratio,
    * 0.001 to 0.5. Default 0.02.
    */
   void SetRelativePrecision(double ratio);
@@ -56,8 +61,9 @@ public:
 
   ///@{
   /**
-   * The largest errors of a curve, mm, above 0 and at most 1e30. By default there are none. After a value outside of that, updates
-   * fail until RemoveAllErrors(): a curve never lacks an error silently.
+   * The largest errors of a curve, mm, above 0 and at most 1e30. By default there are none. After a
+   * value outside of that, updates fail until RemoveAllErrors(): a curve never lacks an error
+   * silently.
    */
   void AddError(double millimeters);
   void RemoveAllErrors();
@@ -65,8 +71,9 @@ public:
   ///@}
 
   /**
-   * The first surface, if the input is itself a result: errors are proved against it, tolerances of points against the input. A curve
-   * ends with an error if the input is farther from it than one of its errors. Default none.
+   * The first surface, if the input is itself a result: errors are proved against it, tolerances of
+   * points against the input. A curve ends with an error if the input is farther from it than one
+   * of its errors. Default none.
    */
   void SetReferenceData(vtkPolyData* reference);
 

@@ -4,17 +4,20 @@
  * @class   vtkBoneLabelPieces
  * @brief   remove small islands and fill small cavities of the labels of a label map
  *
- * The input is a label map as vtkBoneSurfaces takes it. Nothing changes unless one of the limits is set.
+ * The input is a label map as vtkBoneSurfaces takes it. Nothing changes unless one of the limits is
+ * set.
  *
- * An island is a piece of a label, connected by faces of voxels, other than the largest piece of the label. One that is below any of
- * IslandSize, IslandArea and IslandVolume gets the label that has the largest part of its boundary; the background and the end of
- * the image count as well.
+ * An island is a piece of a label, connected by faces of voxels, other than the largest piece of
+ * the label. One that is below any of IslandSize, IslandArea and IslandVolume gets the label that
+ * has the largest part of its boundary; the background and the end of the image count as well.
  *
- * A cavity is a piece of background, connected by faces or edges of voxels as it is in surfaces, that does not reach the end of the image and touches
- * one label alone. One of at most CavityVolume gets this label. Islands are removed first.
+ * A cavity is a piece of background, connected by faces or edges of voxels as it is in surfaces,
+ * that does not reach the end of the image and touches one label alone. One of at most CavityVolume
+ * gets this label. Islands are removed first.
  *
- * The output is the image with the changed labels; the input does not change. The counts tell what was changed in the last update.
- * The image is processed as a whole; one that comes in pieces is an error.
+ * The output is the image with the changed labels; the input does not change. The counts tell what
+ * was changed in the last update. The image is processed as a whole; one that comes in pieces is an
+ * error.
  *
  * @sa vtkBoneSurfaces
  */
@@ -36,7 +39,8 @@ public:
   vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /**
-   * Adds a label whose pieces are looked at. By default there is none: then those of all labels are. All others stay as they are.
+   * Adds a label whose pieces are looked at. By default there is none: then those of all labels
+   * are. All others stay as they are.
    */
   void AddLabel(vtkTypeInt64 label);
 
@@ -55,7 +59,8 @@ public:
 
   ///@{
   /**
-   * Islands are removed whose box of voxels has no side of at least this length, mm, along the axes of the image. 0, the default, is off.
+   * Islands are removed whose box of voxels has no side of at least this length, mm, along the axes
+   * of the image. 0, the default, is off.
    */
   void SetIslandSize(double size);
   vtkGetMacro(IslandSize, double);
@@ -87,7 +92,8 @@ public:
 
   ///@{
   /**
-   * What the last update changed of a label: islands that were removed, their voxels and mm^3, cavities that were filled and theirs.
+   * What the last update changed of a label: islands that were removed, their voxels and mm^3,
+   * cavities that were filled and theirs.
    */
   vtkTypeInt64 GetNumberOfIslands(vtkTypeInt64 label) const;
   vtkTypeInt64 GetNumberOfIslandVoxels(vtkTypeInt64 label) const;
@@ -103,7 +109,8 @@ public:
   bool IsLargestPieceTooSmall(vtkTypeInt64 label) const;
 
   /**
-   * What is wrong with the last value of a property ("IslandVolume"), in one sentence; empty if it was valid.
+   * What is wrong with the last value of a property ("IslandVolume"), in one sentence; empty if it
+   * was valid.
    */
   std::string GetRejectedValue(const std::string& property) const;
 

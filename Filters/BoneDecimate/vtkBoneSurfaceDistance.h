@@ -4,22 +4,25 @@
  * @class   vtkBoneSurfaceDistance
  * @brief   prove how far two surfaces are from each other
  *
- * Input port 0 is the reference, input port 1 the result, both of triangles, strips or polygons, in millimeters. A
- * branch and bound gives a proved lower and upper bound of the largest distance in each direction and of the boundaries,
- * curve to curve, with the position of each; the status says whether every point of both keeps a tolerance, not only
- * samples alone. Averages and root mean squares come with the error of their estimate.
+ * Input port 0 is the reference, input port 1 the result, both of triangles, strips or polygons, in
+ * millimeters. A branch and bound gives a proved lower and upper bound of the largest distance in
+ * each direction and of the boundaries, curve to curve, with the position of each; the status says
+ * whether every point of both keeps a tolerance, not only samples alone. Averages and root mean
+ * squares come with the error of their estimate.
  *
- * Output port 0: the reference, output port 1: the result. Point data: the signed distance to the other surface, mm
- * (positive outside of it, and where there is no telling), and the side, 1 outside, -1 inside, 0 where there is no
- * telling: at boundaries, where the surface is not consistently oriented, and on it. Field data: the report
- * as one JSON text, BoneDecimateCertificate, and its main figures as arrays of their own: bonedecimate.certificate.status,
- * .lower, .upper, .boundaries, .reference_to_result.{upper, mean} and .result_to_reference.{upper, mean}.
+ * Output port 0: the reference, output port 1: the result. Point data: the signed distance to the
+ * other surface, mm (positive outside of it, and where there is no telling), and the side, 1
+ * outside, -1 inside, 0 where there is no telling: at boundaries, where the surface is not
+ * consistently oriented, and on it. Field data: the report as one JSON text,
+ * BoneDecimateCertificate, and its main figures as arrays of their own:
+ * bonedecimate.certificate.status, .lower, .upper, .boundaries, .reference_to_result.{upper, mean}
+ * and .result_to_reference.{upper, mean}.
  *
- * A value outside its range is an error event when it is set: the property keeps its value, and updates fail until it gets a
- * valid one.
+ * A value outside its range is an error event when it is set: the property keeps its value, and
+ * updates fail until it gets a valid one.
  *
- * A surface that cannot be used (NaN in a triangle, an index out of range) is an error with empty outputs. If one has no
- * triangles, both pass through without arrays, with a warning.
+ * A surface that cannot be used (NaN in a triangle, an index out of range) is an error with empty
+ * outputs. If one has no triangles, both pass through without arrays, with a warning.
  * Pieces of a surface on several processes are rejected.
  *
  * @sa vtkBoneDecimate vtkHausdorffDistancePointSetFilter vtkDistancePolyDataFilter
@@ -52,8 +55,8 @@ public:
 
   ///@{
   /**
-   * How far any point of one surface may be from the other, mm, 0 to 1e30. By default there is no tolerance, and
-   * GetTolerance() returns -1.
+   * How far any point of one surface may be from the other, mm, 0 to 1e30. By default there is no
+   * tolerance, and GetTolerance() returns -1.
    */
   void SetTolerance(double millimeters);
   vtkGetMacro(Tolerance, double);
@@ -62,9 +65,10 @@ public:
 
   ///@{
   /**
-   * Name of a point array of the reference with a tolerance for each point, mm, linear on its triangles; negative: no limit of
-   * its own; NaN and numbers beyond 1e30 are errors. Tolerance, if set, caps it. In the other direction a triangle of the reference counts with the
-   * least of its corners. Empty, the default, is none.
+   * Name of a point array of the reference with a tolerance for each point, mm, linear on its
+   * triangles; negative: no limit of its own; NaN and numbers beyond 1e30 are errors. Tolerance, if
+   * set, caps it. In the other direction a triangle of the reference counts with the least of its
+   * corners. Empty, the default, is none.
    */
   void SetToleranceArrayName(const std::string& name);
   std::string GetToleranceArrayName() const;
@@ -89,7 +93,8 @@ public:
 
   ///@{
   /**
-   * Measure open boundaries, too, on by default. If only one surface has some, no tolerance is kept.
+   * Measure open boundaries, too, on by default. If only one surface has some, no tolerance is
+   * kept.
    */
   vtkSetMacro(MeasureBoundaries, bool);
   vtkGetMacro(MeasureBoundaries, bool);
@@ -107,7 +112,8 @@ public:
 
   ///@{
   /**
-   * Two standard errors of the average and of the root mean square as a ratio to them, 1e-4 to 1; default 0.005.
+   * Two standard errors of the average and of the root mean square as a ratio to them, 1e-4 to 1;
+   * default 0.005.
    */
   void SetMeanPrecision(double precision);
   vtkGetMacro(MeanPrecision, double);
@@ -115,7 +121,8 @@ public:
 
   ///@{
   /**
-   * Threads to use, 0 to 1024; 0, the default, is one per processor. The result does not depend on it.
+   * Threads to use, 0 to 1024; 0, the default, is one per processor. The result does not depend on
+   * it.
    */
   void SetNumberOfThreads(int threads);
   vtkGetMacro(NumberOfThreads, int);
@@ -143,7 +150,8 @@ public:
   void SetToleranceOrNone(double millimeters);
 
   /**
-   * What is wrong with the last value of a property ("Tolerance"), in one sentence; empty if it was valid.
+   * What is wrong with the last value of a property ("Tolerance"), in one sentence; empty if it was
+   * valid.
    */
   std::string GetRejectedValue(const std::string& property) const;
 
@@ -159,20 +167,22 @@ public:
 
   ///@{
   /**
-   * Proved bounds of the two-sided Hausdorff distance of the surfaces, mm. NaN before the first run.
+   * Proved bounds of the two-sided Hausdorff distance of the surfaces, mm. NaN before the first
+   * run.
    */
   double GetLowerBound() const;
   double GetUpperBound() const;
   ///@}
 
   /**
-   * The whole report as JSON, objects within objects, as Documentation/certificate.schema.json describes it.
+   * The whole report as JSON, objects within objects, as Documentation/certificate.schema.json
+   * describes it.
    */
   std::string GetReportAsJson() const;
 
   /**
-   * The report of the last run is a flat list of named values ("reference_to_result.upper", "boundaries", ...). How many
-   * there are.
+   * The report of the last run is a flat list of named values ("reference_to_result.upper",
+   * "boundaries", ...). How many there are.
    */
   int GetNumberOfReportEntries() const;
 

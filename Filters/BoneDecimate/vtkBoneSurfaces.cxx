@@ -41,7 +41,8 @@ namespace
 {
 constexpr std::size_t UnusualNumberOfLabels = 1000;
 
-/// Keeps an equal part of the triangles, which are in order of the layers of the image, and the points they use.
+/// Keeps an equal part of the triangles, which are in order of the layers of the image, and the
+/// points they use.
 void KeepPiece(const bonedecimate::PieceOfOutput& piece, bonedecimate::LabelSurfaces& surfaces)
 {
   std::vector<bonedecimate::Triangle>& triangles = surfaces.Surface.Triangles;
@@ -84,7 +85,8 @@ void KeepPiece(const bonedecimate::PieceOfOutput& piece, bonedecimate::LabelSurf
   }
 }
 
-/// Gives the surface of a label the arrays of one: its triangles bound the label, and OtherLabel has the label beyond each.
+/// Gives the surface of a label the arrays of one: its triangles bound the label, and OtherLabel
+/// has the label beyond each.
 void DescribeSingleLabel(const bonedecimate::LabelMapSource& all,
   const std::vector<bonedecimate::Index>& triangles, std::int64_t label, vtkFieldData* fieldsOfAll,
   vtkPolyData* output)

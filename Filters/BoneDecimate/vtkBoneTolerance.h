@@ -4,21 +4,23 @@
  * @class   vtkBoneTolerance
  * @brief   turn a choice of points into a tolerance in millimeters for each point
  *
- * Chooses points of a surface (by an array, a selection, an implicit function, the lines where it folds or ends) and
- * gives them one tolerance and all others another one, with a ring around in which it changes linearly. The result is
- * the input with a point array, double, that vtkBoneDecimate::SetToleranceArrayName and
- * vtkBoneSurfaceDistance::SetToleranceArrayName understand: 0 keeps a point and all its triangles unchanged, a positive
- * number is a largest error there, negative is no limit. Coordinates are millimeters.
+ * Chooses points of a surface (by an array, a selection, an implicit function, the lines where it
+ * folds or ends) and gives them one tolerance and all others another one, with a ring around in
+ * which it changes linearly. The result is the input with a point array, double, that
+ * vtkBoneDecimate::SetToleranceArrayName and vtkBoneSurfaceDistance::SetToleranceArrayName
+ * understand: 0 keeps a point and all its triangles unchanged, a positive number is a largest error
+ * there, negative is no limit. Coordinates are millimeters.
  *
- * Several in a row combine: where the array is there already it is lowered, never raised. "Joint 0.05, shaft 0.3,
- * everything else 0.1" is one filter for each, the last with UNLIMITED. Brush: choose what may change, InvertedOn,
- * InsideTolerance 0: everything else stays as it is.
+ * Several in a row combine: where the array is there already it is lowered, never raised. "Joint
+ * 0.05, shaft 0.3, everything else 0.1" is one filter for each, the last with UNLIMITED. Brush:
+ * choose what may change, InvertedOn, InsideTolerance 0: everything else stays as it is.
  *
  * Input port 0: the surface. Input port 1, optional: a vtkSelection of points or cells of it.
  *
- * A value outside its range, NaN and infinity above all, is an error event when it is set: the property keeps its value, and
- * updates fail until it gets a valid one. A name without an array, a choice without what it needs, NaN in the array of
- * tolerances or from the implicit function: an error, and no output.
+ * A value outside its range, NaN and infinity above all, is an error event when it is set: the
+ * property keeps its value, and updates fail until it gets a valid one. A name without an array, a
+ * choice without what it needs, NaN in the array of tolerances or from the implicit function: an
+ * error, and no output.
  *
  * @sa vtkBoneDecimate vtkBoneSurfaceDistance
  */
@@ -71,8 +73,8 @@ public:
 
   ///@{
   /**
-   * Name of the array of POINT_ARRAY and CELL_ARRAY, of one component and any type of number. Values that count are those
-   * of the labels or, without labels, all but 0. Default "Choice".
+   * Name of the array of POINT_ARRAY and CELL_ARRAY, of one component and any type of number.
+   * Values that count are those of the labels or, without labels, all but 0. Default "Choice".
    */
   void SetChoiceArrayName(const std::string& name);
   std::string GetChoiceArrayName() const;
@@ -108,8 +110,9 @@ public:
 
   ///@{
   /**
-   * FOLDS: the angle between the normals of two triangles from which their edge counts, degrees, 0 to 180, default 30.
-   * Edges of more than two triangles and of triangles that face opposite ways count, too.
+   * FOLDS: the angle between the normals of two triangles from which their edge counts, degrees, 0
+   * to 180, default 30. Edges of more than two triangles and of triangles that face opposite ways
+   * count, too.
    */
   void SetFoldAngle(double degrees);
   vtkGetMacro(FoldAngle, double);
@@ -117,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Take what is not chosen instead, off by default. Of cells it is the cells that change sides, so that points on the
-   * line in between are chosen in both cases.
+   * Take what is not chosen instead, off by default. Of cells it is the cells that change sides, so
+   * that points on the line in between are chosen in both cases.
    */
   vtkSetMacro(Inverted, bool);
   vtkGetMacro(Inverted, bool);
@@ -127,7 +130,8 @@ public:
 
   ///@{
   /**
-   * Tolerance of the chosen points, mm. 0, the default, keeps them unchanged; negative is no limit; -1e30 to 1e30.
+   * Tolerance of the chosen points, mm. 0, the default, keeps them unchanged; negative is no limit;
+   * -1e30 to 1e30.
    */
   void SetInsideTolerance(double millimeters);
   vtkGetMacro(InsideTolerance, double);
@@ -143,8 +147,9 @@ public:
 
   ///@{
   /**
-   * Width of a ring around the chosen points, mm, 0 to 1e30; 0, the default, is none. In it the tolerance goes from that
-   * inside to that outside, linearly with the straight distance to the nearest chosen point. Both must then be 0 or more.
+   * Width of a ring around the chosen points, mm, 0 to 1e30; 0, the default, is none. In it the
+   * tolerance goes from that inside to that outside, linearly with the straight distance to the
+   * nearest chosen point. Both must then be 0 or more.
    */
   void SetFeather(double millimeters);
   vtkGetMacro(Feather, double);
@@ -152,14 +157,16 @@ public:
 
   ///@{
   /**
-   * Name of the point array of tolerances, mm. One of that name on the input is lowered. Default "Tolerance".
+   * Name of the point array of tolerances, mm. One of that name on the input is lowered. Default
+   * "Tolerance".
    */
   void SetToleranceArrayName(const std::string& name);
   std::string GetToleranceArrayName() const;
   ///@}
 
   /**
-   * What is wrong with the last value of a property ("Feather"), in one sentence; empty if it was valid.
+   * What is wrong with the last value of a property ("Feather"), in one sentence; empty if it was
+   * valid.
    */
   std::string GetRejectedValue(const std::string& property) const;
 

@@ -4,13 +4,15 @@
  * @class   vtkBoneVoxelCheck
  * @brief   count the voxels of a label map whose label a surface changes
  *
- * Input port 0 is a surface, input port 1 the label map (vtkImageData). The surface is voxelized on the grid of the image, and each
- * voxel is compared with the image. A surface of several labels needs the arrays of vtkBoneSurfaces (BoundaryLabels, LabelValues); a
- * surface without them is that of one label, Label. Labels of the image that the surface does not have count as background;
+ * Input port 0 is a surface, input port 1 the label map (vtkImageData). The surface is voxelized on
+ * the grid of the image, and each voxel is compared with the image. A surface of several labels
+ * needs the arrays of vtkBoneSurfaces (BoundaryLabels, LabelValues); a surface without them is that
+ * of one label, Label. Labels of the image that the surface does not have count as background;
  * GetNumberOfLabelsLeftOut() says how many these are.
  *
- * The array of labels is chosen by SetInputArrayToProcess with port 1, by default the active scalars. The output is the surface,
- * unchanged. The check has no code in common with the filters that make surfaces.
+ * The array of labels is chosen by SetInputArrayToProcess with port 1, by default the active
+ * scalars. The output is the surface, unchanged. The check has no code in common with the filters
+ * that make surfaces.
  *
  * @sa vtkBoneSurfaces vtkBoneDecimate
  */
@@ -35,8 +37,9 @@ public:
 
   ///@{
   /**
-   * The label inside of a surface that has no array BoundaryLabels. The background, 0 by default: the only other label of the image; an
-   * image with several is then an error. So is another label for a surface that has the array.
+   * The label inside of a surface that has no array BoundaryLabels. The background, 0 by default:
+   * the only other label of the image; an image with several is then an error. So is another label
+   * for a surface that has the array.
    */
   vtkSetMacro(Label, vtkTypeInt64);
   vtkGetMacro(Label, vtkTypeInt64);
@@ -44,8 +47,9 @@ public:
 
   ///@{
   /**
-   * The label of voxels that belong to nothing, default 0. For a surface with the array LabelValues, whose last value is the
-   * background, another label than that or 0 is an error; with that label, Label has to be the same.
+   * The label of voxels that belong to nothing, default 0. For a surface with the array
+   * LabelValues, whose last value is the background, another label than that or 0 is an error; with
+   * that label, Label has to be the same.
    */
   vtkSetMacro(BackgroundLabel, vtkTypeInt64);
   vtkGetMacro(BackgroundLabel, vtkTypeInt64);
@@ -53,15 +57,16 @@ public:
 
   ///@{
   /**
-   * Threads to use, 0 to 1024; 0, the default, is one per processor. The counts do not depend on it.
+   * Threads to use, 0 to 1024; 0, the default, is one per processor. The counts do not depend on
+   * it.
    */
   void SetNumberOfThreads(int threads);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
   /**
-   * How many voxels the last update compared; 0 before the first one and after an error. The outermost voxels of an open surface are
-   * not compared.
+   * How many voxels the last update compared; 0 before the first one and after an error. The
+   * outermost voxels of an open surface are not compared.
    */
   vtkTypeInt64 GetNumberOfComparedVoxels() const;
 
@@ -71,7 +76,8 @@ public:
   vtkTypeInt64 GetNumberOfChangedVoxels() const;
 
   /**
-   * Indices of the first changed voxel along x, y and z, counted from the first voxel of the image; meaningless if none is changed.
+   * Indices of the first changed voxel along x, y and z, counted from the first voxel of the image;
+   * meaningless if none is changed.
    */
   void GetFirstChangedVoxel(int voxel[3]) const;
 
@@ -97,7 +103,8 @@ public:
 
   ///@{
   /**
-   * Voxels of a label by its index: in the image; in the image but not in the surface; the reverse. 0 for other indices.
+   * Voxels of a label by its index: in the image; in the image but not in the surface; the reverse.
+   * 0 for other indices.
    */
   vtkTypeInt64 GetNumberOfVoxels(int index) const;
   vtkTypeInt64 GetNumberOfLostVoxels(int index) const;
@@ -105,7 +112,8 @@ public:
   ///@}
 
   /**
-   * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if it was valid.
+   * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if
+   * it was valid.
    */
   std::string GetRejectedValue(const std::string& property) const;
 

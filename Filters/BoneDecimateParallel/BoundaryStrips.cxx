@@ -22,13 +22,15 @@ namespace bonedecimate
 {
 namespace
 {
-/// Point array of a strip: 1 where it is connected to the rest and must not change, 0 at other points.
+/// Point array of a strip: 1 where it is connected to the rest and must not change, 0 at other
+/// points.
 constexpr const char* RimArrayName = "bonedecimate.rim";
 
 /// Cell array of a strip: of the edge after each corner, 1 if other triangles have it, too.
 constexpr const char* CutsArrayName = "bonedecimate.cuts";
 
-/// Around what phase 1 did not change: the first is fine, the last is coarse and becomes constrained, as a rim.
+/// Around what phase 1 did not change: the first is fine, the last is coarse and becomes
+/// constrained, as a rim.
 constexpr int Rings = 4;
 
 vtkIdType FirstPolygon(vtkPolyData* surface)

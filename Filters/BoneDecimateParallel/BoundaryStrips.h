@@ -22,8 +22,9 @@ namespace bonedecimate
 {
 struct StripParts
 {
-  vtkSmartPointer<vtkPolyData>
-    Strip; ///< Triangles around the shared positions, with marks of its rim and of the edges where it was cut out.
+  /// Triangles around the shared positions, with marks of its rim and of the edges where it was cut
+  /// out.
+  vtkSmartPointer<vtkPolyData> Strip;
   vtkSmartPointer<vtkPolyData> Rest; ///< Everything else. Both have the arrays of the surface.
 };
 
@@ -33,7 +34,8 @@ std::vector<bool> RingsAround(vtkPolyData* surface, std::vector<bool> cells);
 /// For each cell, whether one of its corners is at one of the positions.
 std::vector<bool> CellsAt(vtkPolyData* surface, const Positions& positions);
 
-/// @param mayChange Cells of the strip that are not at its rim.  @param around Cells that it has, too, as its rim.
+/// @param mayChange Cells of the strip that are not at its rim.  @param around Cells that it has,
+///   too, as its rim.
 StripParts CutStrips(
   vtkPolyData* surface, const std::vector<bool>& mayChange, const std::vector<bool>& around);
 
@@ -50,7 +52,8 @@ std::vector<char> TakeRim(vtkPolyData* strips);
 /// Removes the mark of edges: pairs of points.
 std::vector<std::array<vtkIdType, 2>> TakeCuts(vtkPolyData* strips);
 
-/// Cell array of an input with labels while it is decimated: the label of each cell (LabelArrayName).
+/// Cell array of an input with labels while it is decimated: the label of each cell
+/// (LabelArrayName).
 constexpr const char* CellLabelsName = "bonedecimate.labels";
 
 /// The polygons without arrays but their labels (BoundaryLabels, CellLabelsName).

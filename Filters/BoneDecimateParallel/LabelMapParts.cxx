@@ -71,7 +71,8 @@ private:
   std::vector<double> High;
 };
 
-/// Which arrays there are, the smallest spacing or 0, and the values of those that describe the grid and the labels.
+/// Which arrays there are, the smallest spacing or 0, and the values of those that describe the
+/// grid and the labels.
 std::vector<double> DescriptionOf(vtkPolyData* surface)
 {
   std::vector<double> values = { 0.0,

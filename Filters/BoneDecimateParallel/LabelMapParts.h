@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelMapParts.h
- * @brief Whether the parts of a surface are of one label map: equal voxel grids, equal lists of labels, the same arrays.
+ * @brief Whether the parts of a surface are of one label map: equal voxel grids, equal lists of
+ * labels, the same arrays.
  */
 #ifndef LabelMapParts_h
 #define LabelMapParts_h
@@ -19,7 +20,8 @@ struct LabelMapOfParts
 };
 
 /// Parts without triangles do not count. Every process must call this, and all get the same result.
-/// @param input A polydata, or polydata in a composite data set.  @param controller Null: one process.
+/// @param input A polydata, or polydata in a composite data set.  @param controller Null: one
+///   process.
 LabelMapOfParts CompareLabelMaps(vtkDataObject* input, vtkMultiProcessController* controller);
 }
 

@@ -54,7 +54,8 @@ double vtkPBoneDecimate::WholeDiagonal(vtkPolyData* input) const
 }
 
 //------------------------------------------------------------------------------
-/// As on one process: the default reduction is ignored beside other targets, and the first target that is reached ends the run.
+/// As on one process: the default reduction is ignored beside other targets, and the first target
+/// that is reached ends the run.
 double vtkPBoneDecimate::TargetTriangles(double total, double error, bool isLimited) const
 {
   const double reduced = this->EndsAtReduction(isLimited || error > 0.0)

@@ -18,39 +18,40 @@
 
 struct vtkPBoneDecimate::Plan
 {
-  /// In largest errors: how far phase 1 stays from the input of other processes. What it leaves there is within one of that
-  /// input on both sides, so nothing meets, and a gap between them keeps half of its width.
+  /// In largest errors: how far phase 1 stays from the input of other processes. What it leaves
+  /// there is within one of that input on both sides, so nothing meets, and a gap between them
+  /// keeps half of its width.
   static constexpr double ErrorsOfNeighbors = 3.001;
-  /// In largest errors, around the original of the strips: where phase 2 sees the surface. New triangles are within one of it,
-  /// and the intersection guard looks four farther.
+  /// In largest errors, around the original of the strips: where phase 2 sees the surface. New
+  /// triangles are within one of it, and the intersection guard looks four farther.
   static constexpr double ErrorsOfReach = 5.001;
   static constexpr double OneError = 1.001; ///< In largest errors, with the rounding of all this.
 
-  bonedecimate::Positions
-    Shared;                   ///< Once points are smoothed: where those of this process are then.
+  /// Once points are smoothed: where those of this process are then.
+  bonedecimate::Positions Shared;
   double SharedPoints = 0.0;  ///< Number of shared points of all processes, each once.
   std::vector<char> IsShared; ///< For each point of this process, whether it is shared.
-  std::vector<double>
-    SmoothedPoints; ///< mm, three numbers of each point of this process; empty: not smoothed.
+  /// mm, three numbers of each point of this process; empty: not smoothed.
+  std::vector<double> SmoothedPoints;
   bool GuardsVoxels = false; ///< Whether edits may not change a voxel.
   double VoxelSize = 0.0;    ///< mm, of the voxel grid; 0: none is known.
-  vtkSmartPointer<vtkPolyData>
-    Whole; ///< The whole input, on process 0 alone; null: not gathered yet.
+  /// The whole input, on process 0 alone; null: not gathered yet.
+  vtkSmartPointer<vtkPolyData> Whole;
   vtkSmartPointer<vtkPolyData> Unpruned; ///< The input of this process with all components.
   double Total = 0.0;                    ///< Triangles of all processes.
   double Target = 0.0;                   ///< Triangles to reach, of all processes; 0: none.
   double TargetHere = 0.0;               ///< Triangles of this process to reach in phase 1.
   double Error = 0.0;                    ///< mm, the largest allowed; 0: none.
   bool ProvesError = false;
-  vtkSmartPointer<vtkPolyData>
-    Neighbors; ///< With ProvesError: triangles of the input of other processes near this one.
+  /// With ProvesError: triangles of the input of other processes near this one.
+  vtkSmartPointer<vtkPolyData> Neighbors;
   double Proved = 0.0; ///< mm, of all phases so far; not a number without a proof.
   bool ReducesStrips = false;
   double StripsBefore = 0.0; ///< Triangles of the strips before and after phase 2.
   double StripsAfter = 0.0;
   std::vector<double> Figures; ///< FiguresOfPart() of this process.
-  std::map<std::string, double>
-    Counts; ///< Counts of edits of all processes and phases, by names in the report.
+  /// Counts of edits of all processes and phases, by names in the report.
+  std::map<std::string, double> Counts;
 
   /// Distance that phase 1 keeps from the neighbors, mm.
   double NeighborDistance() const { return ErrorsOfNeighbors * this->Error; }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Pruning.cxx
- * @brief What vtkPBoneDecimate does to its input first: labels of cells, and small components of the whole surface are removed, as if
+ * @brief What vtkPBoneDecimate does to its input first: labels of cells, and small components of
+ * the whole surface are removed, as if
  *        they had never been in the input.
  */
 #include "BoundaryStrips.h"
@@ -17,8 +18,8 @@
 
 #include <limits>
 
-/// The input with the labels of its cells, if labels are chosen: points may have them, and lose them when they move. Null if the
-/// array of a process does not suit; the reason has been reported.
+/// The input with the labels of its cells, if labels are chosen: points may have them, and lose
+/// them when they move. Null if the array of a process does not suit; the reason has been reported.
 vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::WithCellLabels(vtkPolyData* input)
 {
   if (!this->HasInputArray(LABEL_ARRAY))

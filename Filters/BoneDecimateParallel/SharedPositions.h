@@ -24,13 +24,14 @@ using Positions = std::vector<Position>;
 /// The corners of the triangles.
 Positions PositionsOf(vtkPolyData* surface);
 
-/// The ends of edges where a part of a surface may end: of edges that have other than two triangles, or two between
-/// different pairs of labels (cell array BoundaryLabels), after equal points were merged. Every edge of a whole surface whose
-/// triangles are on several processes is among them on one of these processes.
+/// The ends of edges where a part of a surface may end: of edges that have other than two
+/// triangles, or two between different pairs of labels (cell array BoundaryLabels), after equal
+/// points were merged. Every edge of a whole surface whose triangles are on several processes is
+/// among them on one of these processes.
 Positions CurvePositions(vtkPolyData* surface);
 
-/// The curve positions of any process that triangles of more than one process have. Every process must call this, and all
-/// get the same result.
+/// The curve positions of any process that triangles of more than one process have. Every process
+/// must call this, and all get the same result.
 Positions SharedPositions(vtkPolyData* surface, vtkMultiProcessController* controller);
 
 bool Contains(const Positions& positions, const double point[3]);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Strips.cxx
- * @brief What vtkPBoneDecimate does where parts are near each other: what phase 1 keeps away from, and phase 2.
+ * @brief What vtkPBoneDecimate does where parts are near each other: what phase 1 keeps away from,
+ * and phase 2.
  */
 #include "BoundaryStrips.h"
 #include "Gathering.h"

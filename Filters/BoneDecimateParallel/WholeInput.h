@@ -21,8 +21,8 @@ namespace bonedecimate
 extern const char* const BlockArrayName;
 
 /**
- * A polydata as it is, the polydata in a composite data set one after the other; without ghost cells, which other processes
- * have, and with polygons and strips as triangles if there are any.
+ * A polydata as it is, the polydata in a composite data set one after the other; without ghost
+ * cells, which other processes have, and with polygons and strips as triangles if there are any.
  */
 vtkSmartPointer<vtkPolyData> WholeInput(vtkDataObject* input);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WholeSurface.cxx
- * @brief The steps of vtkPBoneDecimate that process 0 does for the whole surface: smoothing, and the comparison of voxels.
+ * @brief The steps of vtkPBoneDecimate that process 0 does for the whole surface: smoothing, and
+ * the comparison of voxels.
  */
 #include "Gathering.h"
 #include "Plan.h"

@@ -6,33 +6,40 @@
  *
  * Every process has a part of the surface; where parts meet, points have exactly equal coordinates.
  *
- *     shared    points of open boundaries and of curves between labels that more than one process has
+ *     shared  points of open boundaries and of curves between labels that more than one process has
  *     smoothing process 0 smooths the whole surface and hands each process its points
- *     phase 1   each process decimates its part, towards its part of the triangles, and away from the parts of others; shared
+ *     phase 1   each process decimates its part, towards its part of the triangles, and away from
+ *               the parts of others; shared
  *               points and the corners of their triangles are constrained
- *     phase 2   strips around what phase 1 left go to process 0, are joined there and decimated further with their rims
+ *     phase 2   strips around what phase 1 left go to process 0, are joined there and decimated
+ *               further with their rims
  *               constrained; the result stays there
  *     voxels    process 0 compares the voxels of the whole input and of the whole result
  *
- * The result hangs together as the input did, wherever points are equal. TargetNumberOfTriangles and TargetReduction are meant of
- * the whole surface. MaximumError holds of the whole surface, relative to the input before smoothing: both phases are proved
- * against the input. IntersectionGuard works across processes. The same partition gives the same bytes. With an array of tolerances,
- * with a reference, and in Thesis mode with MaximumError there is no second phase: the triangles at the shared points stay as they
- * are.
+ * The result hangs together as the input did, wherever points are equal. TargetNumberOfTriangles
+ * and TargetReduction are meant of the whole surface. MaximumError holds of the whole surface,
+ * relative to the input before smoothing: both phases are proved against the input.
+ * IntersectionGuard works across processes. The same partition gives the same bytes. With an array
+ * of tolerances, with a reference, and in Thesis mode with MaximumError there is no second phase:
+ * the triangles at the shared points stay as they are.
  *
- * The smoothed surface is that of one process, bit for bit. KeepVoxels is decided for the whole surface. Components are pruned as
- * those of the whole. Only smoothing and the comparison of voxels need the memory of the whole surface on process 0.
+ * The smoothed surface is that of one process, bit for bit. KeepVoxels is decided for the whole
+ * surface. Components are pruned as those of the whole. Only smoothing and the comparison of voxels
+ * need the memory of the whole surface on process 0.
  *
- * The report in the field data is then that of the whole surface and short: input.triangles, output.triangles, proof.upper (mm),
- * pruned.*, smoothing.*, voxels.* and parallel.*; the getters have the same.
+ * The report in the field data is then that of the whole surface and short: input.triangles,
+ * output.triangles, proof.upper (mm), pruned.*, smoothing.*, voxels.* and parallel.*; the getters
+ * have the same.
  *
- * On one process a vtkPolyData gives exactly what vtkBoneDecimate gives. The polydata in a composite data set are taken as one
- * surface, so that equal points of blocks hang together; the cell array BlockIndex says from which block a triangle is.
+ * On one process a vtkPolyData gives exactly what vtkBoneDecimate gives. The polydata in a
+ * composite data set are taken as one surface, so that equal points of blocks hang together; the
+ * cell array BlockIndex says from which block a triangle is.
  *
- * Every process must update the filter, those without triangles, too. Rejected on several: LabelArrayName with PassArrays off,
- * MergePoints off, MakeMaps, DiagnoseInput, an OutputPointsPrecision other than the default, an OutputPointsGrid, smoothing with a
- * reference or of parts in different precision, and an ErrorPreset without VoxelSize or a voxel grid. Parts and blocks of different
- * label maps are always rejected. ErrorBoundToResult is left out.
+ * Every process must update the filter, those without triangles, too. Rejected on several:
+ * LabelArrayName with PassArrays off, MergePoints off, MakeMaps, DiagnoseInput, an
+ * OutputPointsPrecision other than the default, an OutputPointsGrid, smoothing with a reference or
+ * of parts in different precision, and an ErrorPreset without VoxelSize or a voxel grid. Parts and
+ * blocks of different label maps are always rejected. ErrorBoundToResult is left out.
  */
 #ifndef vtkPBoneDecimate_h
 #define vtkPBoneDecimate_h
@@ -52,7 +59,8 @@ public:
 
   ///@{
   /**
-   * What connects the processes. Default: the global controller at construction; null is one process.
+   * What connects the processes. Default: the global controller at construction; null is one
+   * process.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

@@ -4,9 +4,11 @@
  * @class   vtkPBoneSurfaces
  * @brief   vtkBoneSurfaces on several processes
  *
- * Every process gets an equal part of the triangles; points where parts meet have equal coordinates, as vtkPBoneDecimate needs
- * them. The image may be whole on every process, or in pieces, which are sent to all: labels do not end where pieces do. Images that
- * differ in origin, spacing, direction or type, or that leave voxels of their common extent out, are an error on all processes.
+ * Every process gets an equal part of the triangles; points where parts meet have equal
+ * coordinates, as vtkPBoneDecimate needs them. The image may be whole on every process, or in
+ * pieces, which are sent to all: labels do not end where pieces do. Images that differ in origin,
+ * spacing, direction or type, or that leave voxels of their common extent out, are an error on all
+ * processes.
  *
  * Every process must update the filter.
  */
@@ -29,7 +31,8 @@ public:
 
   ///@{
   /**
-   * What connects the processes. Default: the global controller at construction; null is one process.
+   * What connects the processes. Default: the global controller at construction; null is one
+   * process.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

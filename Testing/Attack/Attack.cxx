@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Attack.cxx
- * @brief bonedecimate-attack: searches for a violation of the largest error, or for a voxel that changes its label.
+ * @brief bonedecimate-attack: searches for a violation of the largest error, or for a voxel that
+ * changes its label.
  *
  *     bonedecimate-attack RUNS SEED [SURFACE.ply ...]
  *     bonedecimate-attack --labels RUNS SEED             surfaces of label maps (LabelAttack.h)
- *     bonedecimate-attack --near RUNS SEED             parts that are near to each other (NearAttack.h)
+ *     bonedecimate-attack --near RUNS SEED         parts that are near to each other (NearAttack.h)
  *
- * Every run is a random surface, or a piece cut out of one of the files, with random options, sometimes with a random map of
- * tolerances, sometimes so far from the origin that rounding matters. The certificate, which is independent of the run,
- * then checks the error. Ends with 1 at the first violation and prints its seed: RUNS 1 with that SEED repeats it.
+ * Every run is a random surface, or a piece cut out of one of the files, with random options,
+ * sometimes with a random map of tolerances, sometimes so far from the origin that rounding
+ * matters. The certificate, which is independent of the run, then checks the error. Ends with 1 at
+ * the first violation and prints its seed: RUNS 1 with that SEED repeats it.
  */
 #include "AttackChecks.h"
 #include "LabelAttack.h"
@@ -35,8 +37,8 @@ namespace
 {
 constexpr long RunsBetweenWords = 1000; // some minutes
 
-/// So far from the origin that single precision moves points by a fraction of an edge, and an error of the same order:
-/// points that never move are moved when they are written.
+/// So far from the origin that single precision moves points by a fraction of an edge, and an error
+/// of the same order: points that never move are moved when they are written.
 void PutWhereRoundingCounts(Random& random, Attack& attack)
 {
   const double distance = MeanEdge(attack.Victim) * std::pow(10.0, random.Between(4.0, 6.5));

@@ -37,7 +37,8 @@ std::string WhatItSays(const Certificate& found)
 constexpr std::size_t MostOfPairs = 3000;  // triangles of which all pairs are tested
 constexpr std::size_t MostComponents = 12; // of which all pairs are tested
 
-/// Steradians, seen from a point (A. van Oosterom, J. Strackee, The solid angle of a plane triangle, 1983).
+/// Steradians, seen from a point (A. van Oosterom, J. Strackee, The solid angle of a plane
+/// triangle, 1983).
 double SolidAngle(const Vector3& from, const Surface& surface, const Triangle& t)
 {
   const Vector3 a = surface.Points[static_cast<std::size_t>(t[0])] - from;
@@ -50,7 +51,8 @@ double SolidAngle(const Vector3& from, const Surface& surface, const Triangle& t
     std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
 }
 
-/// Pairs of closed components of which one lies in the other, where they do not intersect; -1 if there are too many.
+/// Pairs of closed components of which one lies in the other, where they do not intersect; -1 if
+/// there are too many.
 int CountNested(const Surface& surface)
 {
   std::vector<Surface> closed;

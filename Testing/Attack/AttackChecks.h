@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AttackChecks.h
- * @brief What an attack runs, and whether the result keeps to the error bound and to the topology of the input.
+ * @brief What an attack runs, and whether the result keeps to the error bound and to the topology
+ * of the input.
  */
 #ifndef BoneDecimate_Testing_AttackChecks_h
 #define BoneDecimate_Testing_AttackChecks_h
@@ -22,8 +23,8 @@ struct Attack
   Surface Victim;
   Options Requested;
   std::vector<double> Tolerances; // mm, of each point; empty: no map
-  bool IsRounded =
-    false; // coordinates are those of single precision, so that writing moves no point
+  // coordinates are those of single precision, so that writing moves no point
+  bool IsRounded = false;
 };
 
 struct Totals
@@ -63,13 +64,15 @@ std::string WhatTopologyLost(const Surface& before, const Surface& after);
 /// Coordinates in single precision.
 void RoundToSingle(Surface& surface);
 
-/// Empty if no more pairs of triangles pierce each other. Where writing moves points, pairs that only touched may do so.
+/// Empty if no more pairs of triangles pierce each other. Where writing moves points, pairs that
+/// only touched may do so.
 std::string WhatPierces(const Attack& attack, const Surface& before, const Surface& after);
 
 /// How often a closed surface winds around a point, by solid angles.
 double WindingNumber(const Surface& closed, const Vector3& p);
 
-/// Empty if no closed component went into another one or came out of it. Surfaces that intersect are not tested.
+/// Empty if no closed component went into another one or came out of it. Surfaces that intersect
+/// are not tested.
 std::string WhatJumped(const Surface& before, const Surface& after);
 
 /// Empty if the certificate proves the result within the error and the map, relative to the input.

@@ -84,8 +84,8 @@ void ChooseEnd(Random& random, LabelAttack& attack)
   attack.SmoothsOnly = random.Below(6) == 0;
   if (attack.SmoothsOnly)
   {
-    options.MaximumError =
-      options.ProvesError() ? options.MaximumError : 0.0; // where mode Thesis ends
+    // where mode Thesis ends
+    options.MaximumError = options.ProvesError() ? options.MaximumError : 0.0;
     options.TargetNumberOfTriangles = 0;
     options.TargetReduction = 0.0;
     options.TargetReductionIsExplicit = true;
@@ -286,7 +286,8 @@ Index VoxelsAround(const VoxelGrid& grid, const Result& result)
   return 2 + static_cast<Index>(std::min(farthest, most));
 }
 
-/// Where voxels may change: whether the report has as many as are counted here. Centers on triangles count either way.
+/// Where voxels may change: whether the report has as many as are counted here. Centers on
+/// triangles count either way.
 std::string WhatReportMissed(const LabelAttack& attack, const Result& result)
 {
   const Index background = attack.Source.Background();

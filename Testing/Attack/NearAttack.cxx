@@ -231,7 +231,8 @@ Attack AnyAttack(Random& random, NearVictim& victim)
   return attack;
 }
 
-/// The points that edits start from: smoothing moves all at once, and looks for new pairs that intersect alone.
+/// The points that edits start from: smoothing moves all at once, and looks for new pairs that
+/// intersect alone.
 Surface BeforeEdits(const Attack& attack, const RunInputs& inputs)
 {
   Surface surface = attack.Victim;

@@ -40,7 +40,8 @@ Loop Circle(const Vector3& center, const Vector3& x, const Vector3& y, double ra
   return loop;
 }
 
-/// A square in the plane z = 0 from (-half, 0) to (half, 2 half), whose first side dips below it in the middle.
+/// A square in the plane z = 0 from (-half, 0) to (half, 2 half), whose first side dips below it in
+/// the middle.
 Loop DippingSquare(Random& random, double half, double depth, double width)
 {
   const Index cells = 3 + random.Below(22); // of a side
@@ -74,8 +75,8 @@ Loop DippingSquare(Random& random, double half, double depth, double width)
 }
 
 /**
- * A square loop dips to the other side of the lowest or the highest part of an upright ring: if it was straight, the two would be linked
- * or not, and they are not or are.
+ * A square loop dips to the other side of the lowest or the highest part of an upright ring: if it
+ * was straight, the two would be linked or not, and they are not or are.
  */
 NearVictim DippingRings(Random& random)
 {
@@ -317,7 +318,8 @@ NearVictim NearShells(Random& random)
   return victim;
 }
 
-/// A lump with spikes and pits, and tetrahedra near it: within its spikes, in its pits, above and below its surface.
+/// A lump with spikes and pits, and tetrahedra near it: within its spikes, in its pits, above and
+/// below its surface.
 NearVictim Spikes(Random& random)
 {
   NearVictim victim;

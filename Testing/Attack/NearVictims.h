@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NearVictims.h
- * @brief Random surfaces whose parts are nearer to each other than the largest error, so that they could pass through each other.
+ * @brief Random surfaces whose parts are nearer to each other than the largest error, so that they
+ * could pass through each other.
  *
- *     rings:    thin tubes; some dip below others, so that straightening would link or unlink them; or two handles of one component
- *     plates:   boxes thinner than the error, or open plates, one above the other, with specks between them
+ *     rings:    thin tubes; some dip below others, so that straightening would link or unlink them;
+ *               or two handles of one component
+ *     plates:   boxes thinner than the error, or open plates, one above the other, with specks
+ *               between them
  *     shells:   spheres within spheres, turned inside out or not
  *     specks:   tetrahedra near a ball, inside or outside of it, and in spikes
  */
@@ -26,7 +29,8 @@ struct NearVictim
   bonedecimate::Surface Surface;
   double Error = 0.0; // mm
 
-  /// A ring that remains around its axis, whatever moves by the error, and a point of it to which all others remain farther away.
+  /// A ring that remains around its axis, whatever moves by the error, and a point of it to which
+  /// all others remain farther away.
   struct Ring
   {
     Axis Hole;
@@ -35,7 +39,8 @@ struct NearVictim
   std::vector<Ring> Rings;
   bool AreHandles = false; // of one component
 
-  /// From each vertex of a component that is in the middle of the plates, the ray meets another one.
+  /// From each vertex of a component that is in the middle of the plates, the ray meets another
+  /// one.
   struct View
   {
     std::size_t From;

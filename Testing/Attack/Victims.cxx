@@ -125,7 +125,8 @@ Surface Specks(Random& random)
   return all;
 }
 
-/// A grid cut along a part of a row, far less than an edge apart: in single precision the cut may close.
+/// A grid cut along a part of a row, far less than an edge apart: in single precision the cut may
+/// close.
 Surface Slit(Random& random)
 {
   const Index cells = 6 + 2 * random.Below(6);

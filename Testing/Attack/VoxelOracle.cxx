@@ -75,8 +75,10 @@ Big Cross(const BigPoint& u, const BigPoint& v, std::size_t axis)
   return u[s] * v[t] - u[t] * v[s];
 }
 
-/// The sign of the first coordinate of the normal if the line along the first axis through p meets the triangle above p, else
-/// 0. A line that meets an edge or a corner counts as a little farther along the third axis, then the second.
+/// The sign of the first coordinate of the normal if the line along the first axis through p meets
+/// the triangle above p, else
+/// 0. A line that meets an edge or a corner counts as a little farther along the third axis, then
+///    the second.
 int CrossingAbove(const std::array<const BigPoint*, 3>& corners, const BigPoint& p)
 {
   int winding = 0;
@@ -205,7 +207,8 @@ private:
   std::vector<BigPoint> Points;
 };
 
-/// Lines of voxel centers through the inside of the grid that are nearer to the segment than that many voxels.
+/// Lines of voxel centers through the inside of the grid that are nearer to the segment than that
+/// many voxels.
 std::int64_t CountLinesNear(
   const Vector3& a, const Vector3& b, const VoxelGrid& grid, double voxels)
 {

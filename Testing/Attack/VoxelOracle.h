@@ -22,26 +22,29 @@ struct LabeledTriangles
 };
 
 /**
- * Voxels whose center is not in their label and in no other one: winding numbers in integers of any size, of the positions as
- * they are stored.
+ * Voxels whose center is not in their label and in no other one: winding numbers in integers of any
+ * size, of the positions as they are stored.
  * @param voxels The index of the label of each voxel.
  */
 std::int64_t CountWrongExactly(const LabeledTriangles& surface, const VoxelGrid& grid,
   const std::vector<Index>& voxels, Index background);
 
-/// Pairs of a triangle and a voxel center nearer to it than that many voxels. Centers outside of the image count, too.
+/// Pairs of a triangle and a voxel center nearer to it than that many voxels. Centers outside of
+/// the image count, too.
 std::int64_t CountNearCenters(const Surface& surface, const VoxelGrid& grid, double voxels);
 
-/// Pairs of a boundary edge of an open surface and a line of voxel centers nearer to it than that many voxels. Lines in the outermost
-/// planes, in which the surface ends, do not count.
+/// Pairs of a boundary edge of an open surface and a line of voxel centers nearer to it than that
+/// many voxels. Lines in the outermost planes, in which the surface ends, do not count.
 std::int64_t CountRimsNearLines(
   const LabeledTriangles& surface, const VoxelGrid& grid, double voxels);
 
-/// Pairs of triangles of which an edge of one pierces the other, by integers of any size. Triangles that only touch do not count:
-/// the rounding of positions to those of the output decides whether they do.
+/// Pairs of triangles of which an edge of one pierces the other, by integers of any size. Triangles
+/// that only touch do not count: the rounding of positions to those of the output decides whether
+/// they do.
 std::int64_t CountIntersections(const Surface& surface);
 
-/// Whether the triangles around each label are a closed surface: walls are shared, and nothing is open.
+/// Whether the triangles around each label are a closed surface: walls are shared, and nothing is
+/// open.
 bool AreWallsShared(const LabeledTriangles& surface, Index numberOfLabels);
 
 /// The triangles of one label; corners in the order that turns normals out of it.

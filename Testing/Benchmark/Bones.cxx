@@ -196,7 +196,8 @@ Triangles SurfaceFile(const std::string& file)
 
 Triangles GrownSpecimen(double triangles)
 {
-  // A small one says how many triangles a voxel has; their number grows with a power a little below the cube.
+  // A small one says how many triangles a voxel has; their number grows with a power a little below
+  // the cube.
   int size = 64;
   Triangles specimen = SpecimenOnGrid(size);
   for (int attempt = 0; attempt < 6; ++attempt)

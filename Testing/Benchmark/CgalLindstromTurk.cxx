@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CgalLindstromTurk.cxx
- * @brief One decimation by CGAL's edge collapse with its default policies (Lindstrom and Turk 1998), memoryless.
+ * @brief One decimation by CGAL's edge collapse with its default policies (Lindstrom and Turk
+ * 1998), memoryless.
  *
  *     bonedecimate-cgal INPUT.ply OUTPUT.ply FACES
  *
- * Uses CGAL's Surface_mesh_simplification (GPL-3.0-or-later), which makes this program GPL: a contestant of the benchmark,
- * never installed. CGAL counts edges and a collapse takes three, or two at a boundary: it is stopped at the first edge count
- * that goes with the requested faces on a closed surface, and ends somewhat lower on an open one.
+ * Uses CGAL's Surface_mesh_simplification (GPL-3.0-or-later), which makes this program GPL: a
+ * contestant of the benchmark, never installed. CGAL counts edges and a collapse takes three, or
+ * two at a boundary: it is stopped at the first edge count that goes with the requested faces on a
+ * closed surface, and ends somewhat lower on an open one.
  */
 #include "CgalMesh.h"
 #include "CgalTriangles.h"

@@ -6,7 +6,8 @@
  *
  *     bonedecimate-cgal-remeshing INPUT.ply OUTPUT.ply LENGTH
  *
- * Uses CGAL's Polygon_mesh_processing (GPL-3.0-or-later), which makes this program GPL: a peer of the benchmark, never installed.
+ * Uses CGAL's Polygon_mesh_processing (GPL-3.0-or-later), which makes this program GPL: a peer of
+ * the benchmark, never installed.
  */
 #include "CgalMesh.h"
 #include "CgalTriangles.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CgalTriangles.h
- * @brief Writes a mesh of CGAL and prints what the benchmark reads. Only for programs that are never installed.
+ * @brief Writes a mesh of CGAL and prints what the benchmark reads. Only for programs that are
+ * never installed.
  */
 #ifndef BoneDecimate_Testing_CgalTriangles_h
 #define BoneDecimate_Testing_CgalTriangles_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Meter.h
- * @brief Seconds and memory of one call, printed as the JSON that every contestant's process prints.
+ * @brief Seconds and memory of one call, printed as the JSON that every contestant's process
+ * prints.
  */
 #ifndef BoneDecimate_Testing_Meter_h
 #define BoneDecimate_Testing_Meter_h
@@ -21,8 +22,8 @@ public:
   /// The call has returned.
   void Stop();
 
-  /// "seconds": ..., without braces. cpu_seconds sums over all threads; input_bytes is what holding the input costs,
-  /// peak_bytes the most beyond that while the call ran.
+  /// "seconds": ..., without braces. cpu_seconds sums over all threads; input_bytes is what holding
+  /// the input costs, peak_bytes the most beyond that while the call ran.
   void Print() const;
 
 private:

@@ -5,7 +5,8 @@
 
 #include <cstdint>
 
-/// What this process holds and held at most, in bytes, as Linux counts resident pages; 0 on other systems.
+/// What this process holds and held at most, in bytes, as Linux counts resident pages; 0 on other
+/// systems.
 namespace memory
 {
 /// Gives freed pages back first, so that what an earlier step freed is not reused unseen.

@@ -4,13 +4,15 @@
  * @file RunOurs.cxx
  * @brief One decimation by this project in a process of its own: the benchmark's contestant.
  *
- *     bonedecimate-run INPUT.ply OUTPUT.ply THROUGH MODE THREADS [--faces N] [--error MM] [--kernels NAME] [--NAME VALUE]
+ *     bonedecimate-run INPUT.ply OUTPUT.ply THROUGH MODE THREADS [--faces N] [--error MM]
+ *       [--kernels NAME] [--NAME VALUE]
  *     bonedecimate-run --modes|--parallel-modes|--proving-modes
  *     bonedecimate-run --kernels
  *
- * THROUGH is core (the VTK-free call) or filter (vtkBoneDecimate, conversions included); MeasureDistances is off. NAME is
- * that of an option of the core. With an error, core has the result checked by the certificate, outside of the measured time.
- * Prints JSON; --modes prints the modes that there are, --parallel-modes those that use several threads, --proving-modes those that
+ * THROUGH is core (the VTK-free call) or filter (vtkBoneDecimate, conversions included);
+ * MeasureDistances is off. NAME is that of an option of the core. With an error, core has the
+ * result checked by the certificate, outside of the measured time. Prints JSON; --modes prints the
+ * modes that there are, --parallel-modes those that use several threads, --proving-modes those that
  * prove a largest error, --kernels the sets of kernels that this processor runs, a line each.
  */
 #include "Meter.h"
@@ -98,7 +100,8 @@ bonedecimate::Options Requested(int count, char** words)
   return options;
 }
 
-/// Which knows nothing of how the result was made.  @param ownSeconds What the run took for a certificate of its own.
+/// Which knows nothing of how the result was made.  @param ownSeconds What the run took for a
+///                                                  certificate of its own.
 void PrintCertificate(
   const bonedecimate::Surface& input, const bonedecimate::Surface& result, double ownSeconds)
 {

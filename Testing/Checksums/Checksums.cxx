@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Checksums.cxx
- * @brief bonedecimate-checksums: one line of checksums for each shape and set of options, one checksum for each mode.
+ * @brief bonedecimate-checksums: one line of checksums for each shape and set of options, one
+ * checksum for each mode.
  *
  *     bonedecimate-checksums [--short | SURFACE.ply ...]
  *
- * Without files the shapes of the tests (--short: two sets of options for each), with files these surfaces at fewer options.
- * A checksum covers the points, the triangles, every array of the result and the counts of its report. Two versions with the
- * same lines give the same results.
+ * Without files the shapes of the tests (--short: two sets of options for each), with files these
+ * surfaces at fewer options. A checksum covers the points, the triangles, every array of the result
+ * and the counts of its report. Two versions with the same lines give the same results.
  */
 #include "ChecksumRuns.h"
 #include "TriangleFile.h"

@@ -4,9 +4,9 @@
  * @file BlockRecorder.cxx
  * @brief Records which basic blocks each test case runs, for Utilities/select_sanitized_tests.py.
  *
- * The core is compiled with -fsanitize-coverage=trace-pc: each block calls __sanitizer_cov_trace_pc.
- * Each test case appends one record to the file that BONEDECIMATE_BLOCKS names, on three lines: its name, its seconds and the
- * offsets of its blocks in the program.
+ * The core is compiled with -fsanitize-coverage=trace-pc: each block calls
+ * __sanitizer_cov_trace_pc. Each test case appends one record to the file that BONEDECIMATE_BLOCKS
+ * names, on three lines: its name, its seconds and the offsets of its blocks in the program.
  */
 #include <gtest/gtest.h>
 

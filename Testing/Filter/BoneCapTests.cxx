@@ -24,7 +24,8 @@ namespace
 {
 constexpr int Sides = 24;
 
-/// The wall of a prism along z, open at both ends. @param isInside Whether the bone is around it and not in it.
+/// The wall of a prism along z, open at both ends. @param isInside Whether the bone is around it
+/// and not in it.
 void AddWall(Surface& surface, double radius, double bottom, double top, bool isInside)
 {
   const auto first = static_cast<Index>(surface.Points.size());

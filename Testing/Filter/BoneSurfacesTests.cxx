@@ -82,7 +82,8 @@ TEST(BoneSurfaces, OfTwoLabelsHaveThePointsOfFlyingEdges)
   }
 }
 
-/// A label alone: the points of the discrete filter, and where three labels meet, also those on faces and in cells.
+/// A label alone: the points of the discrete filter, and where three labels meet, also those on
+/// faces and in cells.
 TEST(BoneSurfaces, OfALabelHaveThePointsOfDiscreteFlyingEdges)
 {
   const LabelMap map = NoiseLabels({ 12, 11, 10 }, 4, 2);

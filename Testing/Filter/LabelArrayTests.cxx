@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkBoneDecimate takes labels from arrays of cells or points, and every output triangle has the label of its position.
+// vtkBoneDecimate takes labels from arrays of cells or points, and every output triangle has the
+// label of its position.
 #include "FilterRun.h"
 #include "VtkSurfaces.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A label map beside a surface that does not carry its grid, in every filter that runs a decimation.
+// A label map beside a surface that does not carry its grid, in every filter that runs a
+// decimation.
 #include "LabelImages.h"
 #include "RejectionWalk.h"
 #include "VtkSurfaces.h"

@@ -23,7 +23,8 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// The filter with a surface, unmeasured; counts its errors and the words of progress, of which only runs have some.
+/// The filter with a surface, unmeasured; counts its errors and the words of progress, of which
+/// only runs have some.
 class LevelsRun
 {
 public:

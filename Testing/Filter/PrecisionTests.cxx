@@ -40,7 +40,8 @@ std::set<std::array<double, 3>> PositionsOf(const Surface& surface)
   return positions;
 }
 
-/// How many points that represent one input point are not, bit for bit, among its positions; none may be.
+/// How many points that represent one input point are not, bit for bit, among its positions; none
+/// may be.
 int MovedAlone(vtkPolyData* output, const Surface& input)
 {
   const std::set<std::array<double, 3>> positions = PositionsOf(input);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A value outside its range is an error event when it is set; the value before stays, and updates fail with the same sentence
-// until that property gets a valid value. PropertyTests.cxx does the same for vtkBoneDecimate.
+// A value outside its range is an error event when it is set; the value before stays, and updates
+// fail with the same sentence until that property gets a valid value. PropertyTests.cxx does the
+// same for vtkBoneDecimate.
 #include "LabelImages.h"
 #include "Options/Modes.h"
 #include "RejectionWalk.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkBoneDecimateLevels and vtkBoneErrorSearch take tolerances of points, labels of triangles and a reference.
+// vtkBoneDecimateLevels and vtkBoneErrorSearch take tolerances of points, labels of triangles and a
+// reference.
 #include "BruteForce.h"
 #include "FilterRun.h"
 #include "VtkSurfaces.h"
@@ -99,7 +100,8 @@ vtkSmartPointer<vtkPolyData> TwoHalves()
   return surface;
 }
 
-/// How many triangles of each half have its label; -1 if a triangle has the label of the other half and is far from the line.
+/// How many triangles of each half have its label; -1 if a triangle has the label of the other half
+/// and is far from the line.
 std::array<int, 2> TrianglesOfHalves(vtkPolyData* surface)
 {
   std::array<int, 2> counts{};

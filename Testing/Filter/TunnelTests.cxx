@@ -22,7 +22,8 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// A plate of three tunnels with its x coordinates as a point array, and cells numbered by the half in which they are.
+/// A plate of three tunnels with its x coordinates as a point array, and cells numbered by the half
+/// in which they are.
 vtkSmartPointer<vtkPolyData> PlateWithArrays()
 {
   const Surface plate = DrilledPlate();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that is not what was proved: the check after writing, with a surface that changed in between.
+// A file that is not what was proved: the check after writing, with a surface that changed in
+// between.
 #include "ExitCode.h"
 #include "FilterRun.h"
 #include "Shapes.h"

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FuzzCore.cxx
- * @brief Fuzzes the core with any soup of triangles and any options: the result must be a surface within the error bound.
+ * @brief Fuzzes the core with any soup of triangles and any options: the result must be a surface
+ * within the error bound.
  *
- *     bytes:  options, a byte each; whether there are a map, a reference, labels, invalid coordinates and corners
+ *     bytes:  options, a byte each; whether there are a map, a reference, labels, invalid
+ *             coordinates and corners
  *             number of points, three bytes each; then triangles, three bytes each
  */
 #include "Bytes.h"
@@ -170,7 +172,8 @@ void DemandReport(const Report& report)
     Demand(report.Output.Components == report.Input.Components, "a component is gone");
     Demand(report.Output.Faces <= report.Input.Faces, "there are more triangles than before");
     Demand(report.Output.NonManifoldEdges <= report.Input.NonManifoldEdges, "edges of three");
-    // Overlapping soups may have several nearest triangles: the proof is undecided then, and reported so.
+    // Overlapping soups may have several nearest triangles: the proof is undecided then, and
+    // reported so.
     Demand(report.Proof.Status != ProofStatus::Violated, "the error bound is violated");
   }
 }

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FuzzFiles.cxx
- * @brief Fuzzes all readers of surfaces with any bytes: they must be accepted, or rejected with a message.
+ * @brief Fuzzes all readers of surfaces with any bytes: they must be accepted, or rejected with a
+ * message.
  *
- *     bytes:  one that selects the reader, then the file: 0 is the model of a 3MF file alone, which the harness puts into an
+ *     bytes:  one that selects the reader, then the file: 0 is the model of a 3MF file alone, which
+ *             the harness puts into an
  *             archive, and n the format of the n-th row of the table
  */
 #include "Bytes.h"

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FuzzLogs.cxx
- * @brief Fuzzes logs of levels, any bytes or recorded logs with any values: rejected, or every level is a surface.
+ * @brief Fuzzes logs of levels, any bytes or recorded logs with any values: rejected, or every
+ * level is a surface.
  *
- *     bytes:  one that selects the recording, one whether its checksum is corrected, one what follows:
+ *     bytes:  one that selects the recording, one whether its checksum is corrected, one what
+ *             follows:
  *             the whole file after its first eight bytes
  *             or changes of the recording, six bytes each: two for the offset, four for the value
  */

@@ -4,10 +4,13 @@
  * @file FuzzPredicates.cxx
  * @brief Fuzzes the exact predicates: they must agree with rational numbers.
  *
- *     bytes:  which predicate; for floating-point numbers a scale, an offset, and coordinates on a small lattice; then whether
- *             points are combinations of others, so that they are collinear or coplanar, and how many
+ *     bytes:  which predicate; for floating-point numbers a scale, an offset, and coordinates on a
+ *             small lattice; then whether
+ *             points are combinations of others, so that they are collinear or coplanar, and how
+ *               many
  *             floating-point numbers farther they are moved
- *             for fixed-point numbers voxels and fractions of which most are 0, a half or a unit away from them
+ *             for fixed-point numbers voxels and fractions of which most are 0, a half or a unit
+ *               away from them
  */
 #include "Bytes.h"
 #include "Geometry/ExactPredicates.h"
@@ -105,7 +108,8 @@ public:
     return p;
   }
 
-  /// One of the points, a point on the line through a and b, a point in the plane of a, b and c, or another.
+  /// One of the points, a point on the line through a and b, a point in the plane of a, b and c, or
+  /// another.
   Vector3 Next(const Vector3& a, const Vector3& b, const Vector3& c)
   {
     const int kind = this->Source.Below(5);
@@ -198,7 +202,8 @@ ColumnCrossing ExpectedCrossing(const FixedTriangle& fixed, const Column& column
       return {};
     }
   }
-  // Where the line through the displaced centers meets the plane, above the displaced center at height 0.
+  // Where the line through the displaced centers meets the plane, above the displaced center at
+  // height 0.
   const Rational height = -Dot(normal, Minus(p, corners[0])) / normal[column.Axis];
   using boost::multiprecision::cpp_int;
   const cpp_int quotient = numerator(height) / denominator(height);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Replay.cxx
- * @brief Runs a harness on a corpus without a fuzzer: a text with one input a line, its bytes in hexadecimal.
+ * @brief Runs a harness on a corpus without a fuzzer: a text with one input a line, its bytes in
+ * hexadecimal.
  */
 #include "Bytes.h"
 

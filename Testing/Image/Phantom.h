@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Phantom.h
- * @brief The decimated bone of the phantom and its two pictures, for the image tests and their baselines.
+ * @brief The decimated bone of the phantom and its two pictures, for the image tests and their
+ * baselines.
  */
 #ifndef BoneDecimate_Testing_Phantom_h
 #define BoneDecimate_Testing_Phantom_h

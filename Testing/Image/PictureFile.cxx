@@ -170,8 +170,8 @@ TEST_F(PictureFile, LeavesNothingBesideAFolderOfItsName)
 }
 
 #ifdef BONEDECIMATE_RENDERS_THROUGH_X
-/// The socket of a server: there as long as it runs. Another test's server takes the number, and makes the file anew, as
-/// soon as it is free; the time tells the two apart.
+/// The socket of a server: there as long as it runs. Another test's server takes the number, and
+/// makes the file anew, as soon as it is free; the time tells the two apart.
 struct Socket
 {
   fs::path File = "/tmp/.X11-unix/X" + std::string(std::getenv("DISPLAY")).substr(1);

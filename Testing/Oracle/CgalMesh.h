@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CgalMesh.h
- * @brief Converts triangles to a mesh of CGAL. Points of non-manifold parts are duplicated, which changes no position.
+ * @brief Converts triangles to a mesh of CGAL. Points of non-manifold parts are duplicated, which
+ * changes no position.
  *
- * Uses CGAL's Polygon_mesh_processing (GPL-3.0-or-later): only for programs that are never installed.
+ * Uses CGAL's Polygon_mesh_processing (GPL-3.0-or-later): only for programs that are never
+ * installed.
  */
 #ifndef BoneDecimate_Testing_CgalMesh_h
 #define BoneDecimate_Testing_CgalMesh_h

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Uses CGAL's AABB tree (GPL-3.0-or-later), which makes the program built from it GPL: a tool of the tests, never installed.
+// Uses CGAL's AABB tree (GPL-3.0-or-later), which makes the program built from it GPL: a tool of
+// the tests, never installed.
 #include "Distances.h"
 
 #include <CGAL/AABB_tree.h>

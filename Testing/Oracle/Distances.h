@@ -12,7 +12,8 @@
 #include <cstddef>
 #include <vector>
 
-/// All in mm. Figures of the area are over samples of equal weight; a sampled maximum is a lower bound of the true one.
+/// All in mm. Figures of the area are over samples of equal weight; a sampled maximum is a lower
+/// bound of the true one.
 struct Distances
 {
   double Average = 0.0;
@@ -26,7 +27,8 @@ struct Distances
   std::vector<double> Percentiles;
 };
 
-/// One sample in each of `samples` strips of equal area; the same samples for any number of threads.
+/// One sample in each of `samples` strips of equal area; the same samples for any number of
+/// threads.
 Distances MeasureDistances(
   const Triangles& from, const Triangles& to, std::size_t samples, unsigned threads);
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file HausdorffPair.cxx
- * @brief bonedecimate-hausdorff: our certificate of two surfaces beside CGAL's bounded-error Hausdorff distance.
+ * @brief bonedecimate-hausdorff: our certificate of two surfaces beside CGAL's bounded-error
+ * Hausdorff distance.
  *
  *     bonedecimate-hausdorff REFERENCE.ply RESULT.ply [ERROR in mm, default 0.0001]
  *
- * Prints JSON. CGAL's figure is the distance in each direction within the error. Both use one thread.
+ * Prints JSON. CGAL's figure is the distance in each direction within the error. Both use one
+ * thread.
  */
 #include "CgalMesh.h"
 #include "Proof/Certificate/Certificate.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Uses CGAL's Box_intersection_d (GPL-3.0-or-later), which makes the program built from it GPL: a tool of the tests,
-// never installed. CGAL::Polygon_mesh_processing::self_intersections requires a manifold surface; this accepts any triangles
-// and tests each pair by the same rules.
+// Uses CGAL's Box_intersection_d (GPL-3.0-or-later), which makes the program built from it GPL: a
+// tool of the tests, never installed. CGAL::Polygon_mesh_processing::self_intersections requires a
+// manifold surface; this accepts any triangles and tests each pair by the same rules.
 #include "SelfIntersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

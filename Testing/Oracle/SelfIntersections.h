@@ -11,8 +11,9 @@
 
 #include <cstdint>
 
-/// What CGAL's Polygon_mesh_processing counts on a manifold surface, for any triangles: a pair counts if it has more
-/// in common than its common points. Exact predicates. Triangles without area are left out.
+/// What CGAL's Polygon_mesh_processing counts on a manifold surface, for any triangles: a pair
+/// counts if it has more in common than its common points. Exact predicates. Triangles without area
+/// are left out.
 std::int64_t CountSelfIntersections(const Triangles& welded);
 
 #endif

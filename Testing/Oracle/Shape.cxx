@@ -162,8 +162,8 @@ TriangleFigures FiguresOf(const Triangles& triangles, const Corners& corners)
   TriangleFigures figures;
   figures.Area = 0.5 * std::sqrt(crossSquared);
   figures.Quality = sum > 0.0 ? 4.0 * std::sqrt(3.0) * figures.Area / sum : 0.0;
-  const double cosine =
-    squares[1] + squares[2] - squares[0]; // times twice the product of the longer edges
+  // times twice the product of the longer edges
+  const double cosine = squares[1] + squares[2] - squares[0];
   figures.SmallestAngle = std::atan2(4.0 * figures.Area, cosine) * 180.0 / std::acos(-1.0);
   return figures;
 }

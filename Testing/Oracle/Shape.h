@@ -20,11 +20,11 @@ struct Shape
   std::int64_t NonManifoldVertices = 0; ///< Points whose triangles are not one fan.
   std::int64_t EulerNumber = 0;         ///< Points in use - edges + triangles.
   std::int64_t Degenerate = 0;          ///< Triangles below 1e-8 mm^2, or with two equal corners.
-  double Quality =
-    0.0; ///< Mean of 4 sqrt(3) area / (sum of squared edges), 1 for equilateral ones.
+  /// Mean of 4 sqrt(3) area / (sum of squared edges), 1 for equilateral ones.
+  double Quality = 0.0;
   double BadFraction = 0.0; ///< Fraction of the triangles whose quality is below 0.2.
-  std::array<std::int64_t, 3>
-    SmallAngles{}; ///< Triangles with an angle below 10, 20 and 30 degrees.
+  /// Triangles with an angle below 10, 20 and 30 degrees.
+  std::array<std::int64_t, 3> SmallAngles{};
 };
 
 /// Merges exactly equal points, so that a repeated point does not make a boundary.

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Has Slicer's own parser read a module's description and registers it, as Slicer does when it starts. The wheel
-// slicer-core has the parser's library and no headers: what is called of it is declared here, objects as large as they
-// may be. Compile for the old ABI of strings, as that wheel is.
+// Has Slicer's own parser read a module's description and registers it, as Slicer does when it
+// starts. The wheel slicer-core has the parser's library and no headers: what is called of it is
+// declared here, objects as large as they may be. Compile for the old ABI of strings, as that wheel
+// is.
 #include <string>
 
 class ModuleDescription

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Angles.h
- * @brief Sine and cosine with the same bits on every platform. Those of math libraries differ in the last bit.
+ * @brief Sine and cosine with the same bits on every platform. Those of math libraries differ in
+ * the last bit.
  */
 #ifndef BoneDecimate_Testing_Angles_h
 #define BoneDecimate_Testing_Angles_h

@@ -66,7 +66,8 @@ double TotalArea(const Surface& surface);
 /// Boundary edges in the direction of their triangle.
 std::vector<std::pair<Index, Index>> BoundaryEdges(const Surface& surface);
 
-/// Number of edges of each closed boundary loop; only for boundaries where each point has one way out.
+/// Number of edges of each closed boundary loop; only for boundaries where each point has one way
+/// out.
 std::vector<std::int64_t> BoundaryLoopLengths(const Surface& surface);
 
 /// Number of triangles that repeat another one of the same three points in whatever order.
@@ -76,7 +77,8 @@ std::int64_t RepeatedTriangles(const Surface& surface);
 /// used; else why not.
 std::string WhatIsWrong(const Surface& surface);
 
-/// Whether both have the same points and triangles bit for bit, in whatever order; triangles begin at the same corner.
+/// Whether both have the same points and triangles bit for bit, in whatever order; triangles begin
+/// at the same corner.
 bool SameInAnyOrder(const Surface& a, const Surface& b);
 
 /// Whether both are the same bit for bit.

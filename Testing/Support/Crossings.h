@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Crossings.h
- * @brief Which triangles of a surface intersect, and how near two surfaces come, by trying all pairs in long double.
+ * @brief Which triangles of a surface intersect, and how near two surfaces come, by trying all
+ * pairs in long double.
  */
 #ifndef BoneDecimate_Testing_Crossings_h
 #define BoneDecimate_Testing_Crossings_h
@@ -18,7 +19,8 @@ namespace bonedecimate::testsupport
 std::int64_t CountCrossings(const Surface& surface);
 bool Cross(const Surface& surface, const Triangle& a, const Triangle& b);
 
-/// mm, the least distance between triangles chosen by the first and by the second; 0 where they cross.
+/// mm, the least distance between triangles chosen by the first and by the second; 0 where they
+/// cross.
 using IsChosen = std::function<bool(const Triangle&)>;
 double LeastDistance(const Surface& surface, const IsChosen& first, const IsChosen& second);
 

@@ -18,9 +18,10 @@ constexpr double Pi = 3.14159265358979323846;
 using Voxel = std::array<Index, 3>;
 using IsInside = std::function<bool(const Voxel& voxel)>;
 
-/// Marching tetrahedra at one half over a lattice whose values are 0 and 1: vertices are midpoints of lattice edges and of
-/// diagonals, so that most triangles have coplanar neighbors. Closed and manifold for any values (the cubes are cut along
-/// the diagonal from their least to their greatest corner).
+/// Marching tetrahedra at one half over a lattice whose values are 0 and 1: vertices are midpoints
+/// of lattice edges and of diagonals, so that most triangles have coplanar neighbors. Closed and
+/// manifold for any values (the cubes are cut along the diagonal from their least to their greatest
+/// corner).
 class BinarySurface
 {
 public:
@@ -103,7 +104,8 @@ private:
   std::map<std::pair<Voxel, Voxel>, Index> Ids;
 };
 
-/// A regular polygon at some height, its sides in parts, and so many smaller ones inside of it down to its center.
+/// A regular polygon at some height, its sides in parts, and so many smaller ones inside of it down
+/// to its center.
 class Cap
 {
 public:

@@ -162,7 +162,8 @@ private:
   static constexpr double ShiftV = 0.37e-7;
 
   Index Size(std::size_t k) const { return this->Grid.Dimensions[this->Axes[k]]; }
-  /// Where voxel centers are along the k-th of the axes, in spacings; of the last one the distance goes on.
+  /// Where voxel centers are along the k-th of the axes, in spacings; of the last one the distance
+  /// goes on.
   double At(std::size_t k, Index voxel) const
   {
     const std::vector<double>& layers = this->Grid.Layers;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelMaps.h
- * @brief Label maps built in code, and the labels that surfaces give to voxels, by brute force and without any code of the core.
+ * @brief Label maps built in code, and the labels that surfaces give to voxels, by brute force and
+ * without any code of the core.
  */
 #ifndef BoneDecimate_Testing_LabelMaps_h
 #define BoneDecimate_Testing_LabelMaps_h
@@ -33,7 +34,8 @@ LabelMap NoiseLabels(const std::array<Index, 3>& size, int labels, std::uint64_t
 /// Two halves of an ellipsoid and a core that touches both, labels 1 to 3.
 LabelMap EllipsoidLabels(const std::array<Index, 3>& size);
 
-/// Another origin and anisotropic spacing; the axes are turned about all three axes, and the last one is reversed if mirrored.
+/// Another origin and anisotropic spacing; the axes are turned about all three axes, and the last
+/// one is reversed if mirrored.
 VoxelGrid ObliqueGrid(const std::array<Index, 3>& size, bool isMirrored);
 
 /// That grid with axes that are not perpendicular, as of a tilted gantry.
@@ -46,8 +48,9 @@ VoxelGrid Uneven(VoxelGrid grid);
 constexpr Index NoLabel = -1;
 
 /**
- * The label of each voxel, x fastest, as an index: lines along the axis count how often they enter and leave each label. They
- * pass voxel centers at a distance of 1e-7 voxels and start in the background. NoLabel where a voxel is in several or in none.
+ * The label of each voxel, x fastest, as an index: lines along the axis count how often they enter
+ * and leave each label. They pass voxel centers at a distance of 1e-7 voxels and start in the
+ * background. NoLabel where a voxel is in several or in none.
  */
 std::vector<Index> VoxelizeLabels(const Surface& surface, const std::vector<BoundaryLabels>& labels,
   const VoxelGrid& grid, Index background, std::size_t axis);
@@ -61,9 +64,10 @@ struct VoxelLabels
 };
 
 /**
- * Edges between neighboring voxel centers along the axis that do not cross the surface as the labels of their ends demand: once
- * more from the first to the second label than back, and all other labels as often in as out. Edges from the image to the outside
- * count. Of an open surface only those that do not lie on its sides count.
+ * Edges between neighboring voxel centers along the axis that do not cross the surface as the
+ * labels of their ends demand: once more from the first to the second label than back, and all
+ * other labels as often in as out. Edges from the image to the outside count. Of an open surface
+ * only those that do not lie on its sides count.
  */
 std::int64_t CountWrongGridEdges(const Surface& surface, const std::vector<BoundaryLabels>& labels,
   const VoxelGrid& grid, const VoxelLabels& voxels, std::size_t axis);

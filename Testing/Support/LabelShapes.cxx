@@ -15,7 +15,8 @@ namespace
 {
 using Voxel = std::array<Index, 3>;
 
-/// Marching cubes by following the segments on the faces of each cube; ambiguous faces cut off the corners inside.
+/// Marching cubes by following the segments on the faces of each cube; ambiguous faces cut off the
+/// corners inside.
 class Marcher
 {
 public:
@@ -52,7 +53,8 @@ public:
   std::vector<Triangle> Triangles;
 
 private:
-  /// Corners counter-clockwise from outside; a segment runs with the inside on its left, seen from outside.
+  /// Corners counter-clockwise from outside; a segment runs with the inside on its left, seen from
+  /// outside.
   void AddFace(const Voxel& least, std::size_t axis, Index side)
   {
     const std::size_t u = (axis + 1) % 3;
@@ -68,7 +70,8 @@ private:
     }
     for (std::size_t i = 0; i < 4; ++i)
     {
-      // Into a run of corners inside at the edge before corner i, out at the edge after its last one.
+      // Into a run of corners inside at the edge before corner i, out at the edge after its last
+      // one.
       if (this->IsInside(corners[i]) && !this->IsInside(corners[(i + 3) % 4]))
       {
         std::size_t last = i;
@@ -183,8 +186,8 @@ BinarySurface MarchedShape(const IsInsideOf& shape, double half, const Vector3& 
   {
     grid.Dimensions[k] = static_cast<Index>(std::ceil(2.0 * half / spacing[k])) + 3;
   }
-  const Index nx =
-    grid.Dimensions[0]; // no structured binding: lambdas of C++17 do not capture those
+  // no structured binding: lambdas of C++17 do not capture those
+  const Index nx = grid.Dimensions[0];
   const Index ny = grid.Dimensions[1];
   const Index nz = grid.Dimensions[2];
   for (Index z = 0; z < nz; ++z)
@@ -307,7 +310,8 @@ public:
       corner[(axis + 2) % 3] += i >= 2 ? 1 : 0;
       corners[i] = this->PointAt(corner);
     }
-    // The normal points from the first label to the second: along the axis if the lower voxel has the first one.
+    // The normal points from the first label to the second: along the axis if the lower voxel has
+    // the first one.
     const bool isAlong = above == 0 || (below != 0 && below < above);
     if (!isAlong)
     {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelShapes.h
- * @brief Segmentations of known shapes, their surfaces, and the label of points: for tests, without any code of the core.
+ * @brief Segmentations of known shapes, their surfaces, and the label of points: for tests, without
+ * any code of the core.
  */
 #ifndef BoneDecimate_Testing_LabelShapes_h
 #define BoneDecimate_Testing_LabelShapes_h
@@ -37,7 +38,8 @@ BinarySurface MarchedShape(const IsInsideOf& shape, double half, const Vector3& 
 /// Rays along an axis a little beside the centers count crossings.
 std::int64_t CountChangedVoxels(const BinarySurface& binary, const Surface& surface);
 
-/// The sides between voxels of different labels, two triangles each, as one complex: walls that meet have points and edges in common.
+/// The sides between voxels of different labels, two triangles each, as one complex: walls that
+/// meet have points and edges in common.
 struct BlockComplex
 {
   bonedecimate::Surface Surface;

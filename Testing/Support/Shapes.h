@@ -38,7 +38,8 @@ Surface Torus(Index around, Index across);
 /// A block of cells x cells x 3 unit cubes with a square tunnel along z through its middle.
 Surface TunnelBlock(Index cells);
 
-/// A plate of 18 x 9 x 3 unit cubes with three square tunnels along z, 1, 2 and 3 wide, with corners at (3, 3), (7, 3), (12, 3).
+/// A plate of 18 x 9 x 3 unit cubes with three square tunnels along z, 1, 2 and 3 wide, with
+/// corners at (3, 3), (7, 3), (12, 3).
 Surface DrilledPlate();
 
 /// A box of cells x cells x 1 unit cubes.
@@ -58,18 +59,21 @@ Surface Envelope();
 
 // Closed, with flat parts -----------------------------------------------------
 
-/// Radius 5, height 8: a regular polygon along z, its sides in parts times layers squares; the caps are rings around a center.
+/// Radius 5, height 8: a regular polygon along z, its sides in parts times layers squares; the caps
+/// are rings around a center.
 Surface Prism(Index sides, Index parts, Index layers);
 Surface CappedCylinder(Index around, Index layers);
 
 /// The label of a voxel.
 using LabelOf = std::function<int(const std::array<Index, 3>& voxel)>;
 
-/// The surface of one label of a label map, as marching gives it: vertices in the middle between voxels.
+/// The surface of one label of a label map, as marching gives it: vertices in the middle between
+/// voxels.
 Surface LabelSurface(
   const std::array<Index, 3>& size, const Vector3& spacing, const LabelOf& labelOf, int label);
 
-/// An ellipsoid in voxels, and one of its labels 1 to 3: two halves and a core, which touch each other.
+/// An ellipsoid in voxels, and one of its labels 1 to 3: two halves and a core, which touch each
+/// other.
 Surface VoxelEllipsoid();
 Surface LabeledPart(int label);
 
@@ -120,8 +124,8 @@ Surface InconsistentGrid(Index cells);
 /// An icosphere of which the first triangles stand there twice.
 Surface DuplicateTriangles(int levels, Index copies);
 
-/// The ball of that radius in cells, cut by the plane x = 0 into two with a common wall: three patches meet at its rim.
-/// Has cells that touch along an edge or in a corner. Smoothed.
+/// The ball of that radius in cells, cut by the plane x = 0 into two with a common wall: three
+/// patches meet at its rim. Has cells that touch along an edge or in a corner. Smoothed.
 Surface HalvedBall(Index radius);
 
 /// Random triangles over few points, with all kinds of non-manifold edges.

@@ -44,7 +44,8 @@ std::vector<Vector3> Tangents(const Loop& loop)
   return tangents;
 }
 
-/// A normal at each point, turned as little as possible from point to point, the rest spread over all.
+/// A normal at each point, turned as little as possible from point to point, the rest spread over
+/// all.
 std::vector<Vector3> FrameNormals(const std::vector<Vector3>& tangents)
 {
   std::vector<Vector3> normals = { AnyPerpendicular(tangents[0]) };
@@ -53,8 +54,8 @@ std::vector<Vector3> FrameNormals(const std::vector<Vector3>& tangents)
     normals.push_back(Perpendicular(normals.back(), tangents[i]));
   }
   const Vector3 back = Perpendicular(normals.back(), tangents[0]);
-  const double twist =
-    std::atan2(back.cross(normals[0]).dot(tangents[0]), back.dot(normals[0])); // radians
+  // radians
+  const double twist = std::atan2(back.cross(normals[0]).dot(tangents[0]), back.dot(normals[0]));
   for (std::size_t i = 0; i < normals.size(); ++i)
   {
     const double turn = twist * static_cast<double>(i) / static_cast<double>(normals.size());
@@ -71,7 +72,8 @@ void AddQuadrilateral(Surface& surface, Index a, Index b, Index c, Index d)
   surface.Triangles.push_back({ a, c, d });
 }
 
-/// Steradians, of the triangle seen from the origin, with the sign of its side (A. van Oosterom, J. Strackee, 1983).
+/// Steradians, of the triangle seen from the origin, with the sign of its side (A. van Oosterom, J.
+/// Strackee, 1983).
 double SolidAngle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double x = a.norm();
@@ -155,8 +157,8 @@ private:
       for (std::size_t i = 0; i < this->Axes.size(); ++i)
       {
         const Axis& axis = this->Axes[i];
-        const double whole =
-          AngleAround(axis, p) + Turn(axis, p, q) - AngleAround(axis, q); // radians
+        // radians
+        const double whole = AngleAround(axis, p) + Turn(axis, p, q) - AngleAround(axis, q);
         to.second[i] += static_cast<int>(std::lround(whole / (2.0 * Pi)));
         isFar = isFar || std::abs(to.second[i]) > 1;
       }

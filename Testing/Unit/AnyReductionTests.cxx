@@ -48,7 +48,8 @@ void ExpectSameTopology(const Surface& before, const Surface& after)
   }
 }
 
-/// Counts of closed manifold fragments. Fragments are not identified, because their order may change.
+/// Counts of closed manifold fragments. Fragments are not identified, because their order may
+/// change.
 struct ClosedFragments
 {
   std::int64_t Outwards = 0; // positive volume

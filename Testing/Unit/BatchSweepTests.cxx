@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits that are checked at the same time and applied one after the other: what the check of each read has not changed.
+// Edits that are checked at the same time and applied one after the other: what the check of each
+// read has not changed.
 #include "Base/WorkerTeam.h"
 #include "BruteForce.h"
 #include "Decimate/Edit/Editor.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces of cells: neighboring cells fit together, each label has a manifold surface, no edge crosses a face of the cell.
+// Surfaces of cells: neighboring cells fit together, each label has a manifold surface, no edge
+// crosses a face of the cell.
 #include "Labels/LabelMap/CellSurface.h"
 #include "Random.h"
 
@@ -72,7 +73,8 @@ void ExpectManifoldLabels(const CellSurface& surface)
   }
 }
 
-/// Edges of one triangle of a label on a side of the cell, moved by the offset of the cell; reversed on request.
+/// Edges of one triangle of a label on a side of the cell, moved by the offset of the cell;
+/// reversed on request.
 std::set<LabelEdge> EdgesOnSide(const CellSurface& surface, Index axis, double side, bool reverse)
 {
   std::set<LabelEdge> result;
@@ -192,7 +194,8 @@ TEST(TwoLabelCells, SeparateEachCornerFromTheOthers)
   }
 }
 
-/// The larger label is cut off where two labels alternate around a face, so the smaller one stays connected.
+/// The larger label is cut off where two labels alternate around a face, so the smaller one stays
+/// connected.
 TEST(TwoLabelCells, KeepTheSmallerLabelConnected)
 {
   const CellSurface& oneFace = TwoLabelSurfaces()[0b00001001];
@@ -218,7 +221,8 @@ TEST(TwoLabelCells, HaveTheNormalFromTheSmallerToTheLargerLabel)
 
 TEST(ThreeLabelCells, MeetAtPointsOnFaces)
 {
-  // Half of the cell has label 1, a quarter each 2 and 3: three walls along a line between two faces.
+  // Half of the cell has label 1, a quarter each 2 and 3: three walls along a line between two
+  // faces.
   CellSurface surface;
   BuildCellSurface({ 1, 1, 1, 1, 2, 3, 2, 3 }, surface);
   EXPECT_EQ(surface.NumberOfInnerPoints(), 0U);

@@ -147,7 +147,8 @@ TEST(CertificateFoot, BoundsTheDistanceInAnyTriangle)
   Random random(11);
   for (int i = 0; i < 200000; ++i)
   {
-    // From fat triangles to needles and points: the third corner ever nearer to the line of the others.
+    // From fat triangles to needles and points: the third corner ever nearer to the line of the
+    // others.
     const Vector3 a = random.InCube(10.0);
     const Vector3 b = a + random.InCube(i % 2 == 0 ? 10.0 : 1e-3);
     const double off = std::pow(10.0, -random.Between(-1.0, 17.0));

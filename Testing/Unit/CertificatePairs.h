@@ -43,7 +43,8 @@ struct NamedPair
   Surface Reference, Result;
 };
 
-/// Small pairs, some without area, with repeated triangles, of many parts, or with nothing in common.
+/// Small pairs, some without area, with repeated triangles, of many parts, or with nothing in
+/// common.
 inline std::vector<NamedPair> SmallPairs()
 {
   std::vector<NamedPair> pairs;

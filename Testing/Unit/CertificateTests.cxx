@@ -305,7 +305,8 @@ TEST(Certificate, EndsOnAbort)
   }
 }
 
-/// In single precision the points of a flat grid lie on lines that are not quite straight: 15 million cuts to the last digit.
+/// In single precision the points of a flat grid lie on lines that are not quite straight: 15
+/// million cuts to the last digit.
 TEST(Certificate, OfAFlatPartInOtherTrianglesEndsSoonWithALeastGap)
 {
   Surface grid = Scaled(Grid(28), 1.0 / 28.0);

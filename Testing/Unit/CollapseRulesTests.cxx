@@ -78,7 +78,8 @@ void CompareAllEdges(const Surface& input)
   }
 }
 
-/// The surface with faces taken out at random, so that boundaries, ears and triangular holes appear.
+/// The surface with faces taken out at random, so that boundaries, ears and triangular holes
+/// appear.
 Surface WithHoles(const Surface& surface, Index holes, std::uint64_t seed)
 {
   Surface holed = surface;

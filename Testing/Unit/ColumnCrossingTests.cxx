@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where columns of voxel centers cross triangles, against integers of any size with a displacement that is really made.
+// Where columns of voxel centers cross triangles, against integers of any size with a displacement
+// that is really made.
 #include "Labels/VoxelGuard/ColumnCrossing.h"
 #include "Random.h"
 
@@ -17,7 +18,8 @@ namespace
 using Big = boost::multiprecision::cpp_int;
 using BigPoint = std::array<Big, 3>;
 
-/// e^3 = 1, e^2 = 2^200, e = 2^400, a unit of 2^-30 voxel = 2^600: coefficients of powers of e have less than 128 bits.
+/// e^3 = 1, e^2 = 2^200, e = 2^400, a unit of 2^-30 voxel = 2^600: coefficients of powers of e have
+/// less than 128 bits.
 BigPoint Scaled(const FixedPoint& point)
 {
   return { Big(point[0]) << 600, Big(point[1]) << 600, Big(point[2]) << 600 };
@@ -212,8 +214,8 @@ TEST(ColumnCrossings, OfTheSixTrianglesAroundAPointAreOneOnEveryColumn)
         const FixedTriangle corners = { center, at(ring[i]), at(ring[(i + 1) % 6]) };
         sum += CrossColumn(corners, BoxOf(corners), { 0, s, t }).Sign;
       }
-      const bool isInside =
-        s != 1 || t != -1; // displaced out of the ring; (-1, 1) is displaced into it
+      // displaced out of the ring; (-1, 1) is displaced into it
+      const bool isInside = s != 1 || t != -1;
       EXPECT_EQ(sum, isInside ? 1 : 0) << s << " " << t;
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which components lie within which others: nested and separate shapes, among them shapes whose faces lie along the axes.
+// Which components lie within which others: nested and separate shapes, among them shapes whose
+// faces lie along the axes.
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/Statistics.h"
 #include "Proof/Guard/Containment.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A run that continues another: its error refers to the original of both, and its certificate to what it has changed.
+// A run that continues another: its error refers to the original of both, and its certificate to
+// what it has changed.
 #include "LabelMaps.h"
 #include "Labels/LabelMap/LabelSurfaces.h"
 #include "Partition/Slabs/ContinuedProof.h"

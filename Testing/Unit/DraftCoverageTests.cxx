@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a draft leaves to the edits that follow: the certificate, which is independent of it, confirms that they are proved.
+// What a draft leaves to the edits that follow: the certificate, which is independent of it,
+// confirms that they are proved.
 #include "Decimate/Edit/Editor.h"
 #include "MeshState.h"
 #include "Proof/Certificate/Certificate.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Collapses that are drafted, proved together and undone: compared with the mesh as it was, edit by edit, and by brute force.
+// Collapses that are drafted, proved together and undone: compared with the mesh as it was, edit by
+// edit, and by brute force.
 #include "Crossings.h"
 #include "Decimate/Edit/Editor.h"
 #include "Mesh/Invariants.h"
@@ -260,7 +261,8 @@ TEST(EditJournal, UndoesWhatDependsOnAnEditAndNothingElse)
   ASSERT_GT(CollapseMany(editor, 3), 100);
   for (Index edit = 0; edit < journal->Count(); edit += 7)
   {
-    // By definition: an edit depends on it if it has a face in common with it or with one that depends on it, and is later.
+    // By definition: an edit depends on it if it has a face in common with it or with one that
+    // depends on it, and is later.
     std::set<Index> touched;
     std::vector<Index> expected;
     for (Index later = edit; later < journal->Count(); ++later)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The certificate, which is independent of the proofs of a run, confirms that the largest error is kept.
+// The certificate, which is independent of the proofs of a run, confirms that the largest error is
+// kept.
 #include "Mesh/Cleaning.h"
 #include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
@@ -133,7 +134,8 @@ TEST(ErrorBound, IsRejectedIfSinglePrecisionCannotKeepIt)
 
 TEST(ErrorBound, ClosesNoSlitThatIsNarrowerThanSinglePrecision)
 {
-  // The second slit ends at z = 0, from where the next single number would be lost in positions relative to the local origin.
+  // The second slit ends at z = 0, from where the next single number would be lost in positions
+  // relative to the local origin.
   for (const Vector3& middle : { Vector3(1000.0, 2000.0, 3000.0), Vector3(-10.0, 2000.0, 3000.0) })
   {
     Surface input = SlitDisc(middle);

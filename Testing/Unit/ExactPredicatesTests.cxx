@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Signs of orientation determinants, held against integers of 1,024 bits: random points, and points made to lie in or
-// next to the plane of others.
+// Signs of orientation determinants, held against integers of 1,024 bits: random points, and points
+// made to lie in or next to the plane of others.
 #include "Geometry/ExactPredicates.h"
 #include "Geometry/Expansion.h"
 #include "Random.h"
@@ -284,7 +284,8 @@ TEST(ExactPredicates, HaveTheTrueSignForPointsAtEveryScale)
   }
 }
 
-/// A point moved through a plane double by double, as in L. Kettner et al., Classroom examples of robustness problems, 2008.
+/// A point moved through a plane double by double, as in L. Kettner et al., Classroom examples of
+/// robustness problems, 2008.
 TEST(ExactPredicates, ChangeTheirSignWhereThePlaneIs)
 {
   const Vector3 a(12.0, 12.0, 12.0);

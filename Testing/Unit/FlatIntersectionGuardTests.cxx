@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The intersection guard where triangles lie in one plane, touch, or are very near: it neither hinders nor lets through.
+// The intersection guard where triangles lie in one plane, touch, or are very near: it neither
+// hinders nor lets through.
 #include "BruteForce.h"
 #include "Crossings.h"
 #include "Decimate/Edit/Editor.h"
@@ -56,7 +57,8 @@ TEST(FlatIntersectionGuard, FlatPartsAreSimplifiedAsIfNothingWereNear)
   }
 }
 
-/// Two plates whose near sides lie in one plane, apart or overlapping there, and one that stands on the other.
+/// Two plates whose near sides lie in one plane, apart or overlapping there, and one that stands on
+/// the other.
 TEST(FlatIntersectionGuard, CoplanarPartsStayApartOrTouchNoMore)
 {
   const Surface plate = Scaled(FlatPlate(6), 0.5);
@@ -86,7 +88,8 @@ TEST(FlatIntersectionGuard, NearWallsAreNotTriedOverAndOver)
     result.Report.Rejections[crossing], static_cast<std::int64_t>(30 * spheres.Triangles.size()));
 }
 
-/// A cone whose tip touches a plate from below. As many pairs intersect when the tip goes through the plate.
+/// A cone whose tip touches a plate from below. As many pairs intersect when the tip goes through
+/// the plate.
 TEST(FlatIntersectionGuard, ATipThatTouchesAPlateDoesNotGoThroughIt)
 {
   constexpr Index around = 8;
@@ -179,7 +182,8 @@ TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
   EXPECT_GT(differ, 10);
 }
 
-/// A roof in double precision that never moves is written in single precision like the tent below it.
+/// A roof in double precision that never moves is written in single precision like the tent below
+/// it.
 TEST(FlatIntersectionGuard, DecidesForPointsThatNeverMoveAsTheyAreRounded)
 {
   const Surface input = TentUnderARoof(Vector3(100.1, -1.0 / 3.0, 2.7));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Collapses that keep the error bound only together with moves around them, and the modes that make them.
+// Collapses that keep the error bound only together with moves around them, and the modes that make
+// them.
 #include "Decimate/Stages/PatchFit.h"
 #include "Decimate/Stages/SlackCandidates.h"
 #include "Decimate/Stages/SlackRefinement.h"

@@ -161,8 +161,9 @@ bool CheckToTarget(const Editor& editor, HalfEdgeId h, Workspace& space)
     editor.CheckCollapse({ h, target, mesh.Position(target), false }, space, 1).IsAccepted();
 }
 
-/// Two grids, the second of long triangles, have the point (8, 4, 0) alone in common. An edit there gives it the gap of (7, 4, 0)
-/// or of (7, 3, 0). Whether an edit of the second grid that has been checked before, more than 10 mm away, is still accepted.
+/// Two grids, the second of long triangles, have the point (8, 4, 0) alone in common. An edit there
+/// gives it the gap of (7, 4, 0) or of (7, 3, 0). Whether an edit of the second grid that has been
+/// checked before, more than 10 mm away, is still accepted.
 bool IsStillAccepted(bool hasGap)
 {
   Surface wide = Moved(Grid(8), Vector3(0.0, -4.0, 0.0));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices of high valence: work that grows with the triangles and not with their square, and results as small as they should be.
+// Vertices of high valence: work that grows with the triangles and not with their square, and
+// results as small as they should be.
 #include "Decimate/Schedule/BucketSweep.h"
 #include "Geometry/BoundingTree.h"
 #include "Proof/Certificate/Certificate.h"
@@ -208,7 +209,8 @@ TEST(Hub, NeedlesAreAsNearAsByBruteForce)
   }
 }
 
-/// A circle takes pi / acos(1 - error / radius) / 2 corners or a few more if the polygon lies on both sides of it.
+/// A circle takes pi / acos(1 - error / radius) / 2 corners or a few more if the polygon lies on
+/// both sides of it.
 TEST(Hub, FansBecomeSmallWithinTheError)
 {
   constexpr double error = 0.1; // mm

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// With a largest error, gaps keep half of their width and nothing intersects that did not before. By brute force.
+// With a largest error, gaps keep half of their width and nothing intersects that did not before.
+// By brute force.
 #include "Crossings.h"
 #include "GuardedOptions.h"
 #include "Proof/Guard/GapRule.h"
@@ -80,7 +81,8 @@ Surface WavySurfaces(double gap, Index cells = 20)
   return Together(low, high);
 }
 
-/// A tube along z of radii 4 and 6, open along its length by a slit that waves and is that wide (mm).
+/// A tube along z of radii 4 and 6, open along its length by a slit that waves and is that wide
+/// (mm).
 Surface SlitTube(double slit)
 {
   constexpr Index around = 60;
@@ -136,8 +138,9 @@ TriangleCorners CornersOf(const Surface& surface, const Triangle& t)
   return { surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]] };
 }
 
-/// mm, between triangles of the upper and of the lower side that have no corner in common and face each other: the way between them is
-/// within 45 degrees of both normals. At the rim, where both sides end, others are nearer.
+/// mm, between triangles of the upper and of the lower side that have no corner in common and face
+/// each other: the way between them is within 45 degrees of both normals. At the rim, where both
+/// sides end, others are nearer.
 double ThicknessOf(const Surface& surface)
 {
   constexpr double leastCosine = 0.71;

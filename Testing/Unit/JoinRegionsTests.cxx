@@ -142,8 +142,8 @@ TEST_F(JoinedRun, NeedsTheProofOfItsParts)
   EXPECT_FALSE(ArePartsValid(this->Whole, this->Parts, none, true));
   EXPECT_TRUE(ArePartsValid(this->Whole, this->Parts, none, false));
   this->Part.Result.Report.Proof.Status = ProofStatus::Proved;
-  this->Part.Result.Report.Proof.BoundaryInputToOutput.Upper =
-    1.1; // farther than where the part was cut
+  // farther than where the part was cut
+  this->Part.Result.Report.Proof.BoundaryInputToOutput.Upper = 1.1;
   this->Join();
   EXPECT_FALSE(ArePartsValid(this->Whole, this->Parts, none, true));
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole runs on surfaces of label maps: no voxel changes where voxels are guarded, and the check sees it where they are not.
+// Whole runs on surfaces of label maps: no voxel changes where voxels are guarded, and the check
+// sees it where they are not.
 #include "BruteForce.h"
 #include "LabelMaps.h"
 #include "Labels/LabelMap/LabelSurfaces.h"
@@ -168,7 +169,8 @@ TEST_P(EachMap, HasTheSameBytesForAnyNumberOfThreads)
   }
 }
 
-/// Without the guard, or with another map's grid, voxels change, and the check counts them as the voxelizer of the tests does.
+/// Without the guard, or with another map's grid, voxels change, and the check counts them as the
+/// voxelizer of the tests does.
 TEST_P(EachMap, ChangesVoxelsWithoutTheGuardAndTheCheckSeesThem)
 {
   const Result result = this->Run(Free(Reduction(0.9)));

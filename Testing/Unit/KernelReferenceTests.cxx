@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernels against the scalar references of Cost/ and Placement/, bit for bit, in every set that this processor runs.
+// The kernels against the scalar references of Cost/ and Placement/, bit for bit, in every set that
+// this processor runs.
 #include "Decimate/Cost/AccumulatedError.h"
 #include "Decimate/Cost/QuadricDeviation.h"
 #include "Decimate/Cost/SpikePenalty.h"
@@ -93,7 +94,8 @@ EdgeBatch EmptyBatch()
   return batch;
 }
 
-/// Quadrics of a few planes or none, of areas so small and so large that determinants leave the range of floats.
+/// Quadrics of a few planes or none, of areas so small and so large that determinants leave the
+/// range of floats.
 VertexRecord RandomRecord(Random& random)
 {
   VertexRecord record = {};

@@ -49,7 +49,8 @@ LabelMap Changed(LabelMap map, const PieceChanges& changes)
   return map;
 }
 
-/// The voxels connected to one of them, of its label. @param reach 1: by faces; 2: by faces and edges.
+/// The voxels connected to one of them, of its label. @param reach 1: by faces; 2: by faces and
+/// edges.
 std::set<Voxel> PieceAt(const LabelMap& map, const Voxel& first, int reach)
 {
   std::set<Voxel> piece = { first };

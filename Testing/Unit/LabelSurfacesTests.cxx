@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces of label maps: voxelized again they give every label, each label's surface is closed and manifold.
+// Surfaces of label maps: voxelized again they give every label, each label's surface is closed and
+// manifold.
 #include "Labels/LabelMap/LabelSurfaces.h"
 
 #include "BruteForce.h"
@@ -263,7 +264,8 @@ TEST(LabelSurfaces, OpenOnesAreThePartOfTheClosedOnesWithinTheVoxelCenters)
   EXPECT_EQ(WhatIsWrong(open.Surface), "");
 }
 
-/// Layer, kind of point (in the layer, between layers, inside cells), y, x, and axis of the edge or face.
+/// Layer, kind of point (in the layer, between layers, inside cells), y, x, and axis of the edge or
+/// face.
 using PointOrder = std::array<int, 5>;
 PointOrder OrderOf(const GridPoint& p)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Feature curves between labels are simplified along themselves, so neighbors stay matched; every triangle keeps its label.
+// Feature curves between labels are simplified along themselves, so neighbors stay matched; every
+// triangle keeps its label.
 #include "LabelMaps.h"
 #include "LabeledSurfaces.h"
 #include "Mesh/ManifoldPatches.h"
@@ -265,7 +266,8 @@ TEST(Labels, AreReportedWithTheirAreas)
 
 namespace
 {
-/// Points where edges of three or more triangles end or meet: all others of these edges have two of them.
+/// Points where edges of three or more triangles end or meet: all others of these edges have two of
+/// them.
 std::int64_t EndsOfCurves(const Surface& surface)
 {
   std::map<Index, int> edgesAt;

@@ -39,7 +39,8 @@ inline std::map<std::pair<Index, Index>, std::vector<Index>> EdgesOf(const Surfa
   return edges;
 }
 
-/// Labels of the parts connected by edges of two triangles: for a halved ball both halves of the skin and the wall.
+/// Labels of the parts connected by edges of two triangles: for a halved ball both halves of the
+/// skin and the wall.
 inline Labels PatchesAsLabels(const Surface& surface)
 {
   std::vector<std::vector<Index>> neighbors(surface.Triangles.size());

@@ -25,7 +25,8 @@ inline Recorded Record(const Surface& input, const Options& options, bool inputI
   return recorded;
 }
 
-/// So large that blocks are swept side by side; its least corner is the origin, so that no coordinate is rounded.
+/// So large that blocks are swept side by side; its least corner is the origin, so that no
+/// coordinate is rounded.
 inline Surface LargeBone()
 {
   const Surface bone = HeightField(130, 0.4, 5);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels compared with the recorded run, with its edits applied one by one, and with runs that stop there.
+// Levels compared with the recorded run, with its edits applied one by one, and with runs that stop
+// there.
 #include "Decimate/Edit/Editor.h"
 #include "LevelRuns.h"
 #include "Mesh/SpatialOrder.h"

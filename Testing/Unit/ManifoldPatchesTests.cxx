@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Non-manifold surfaces are split into patches, simplified up to their boundaries, and joined again.
+// Non-manifold surfaces are split into patches, simplified up to their boundaries, and joined
+// again.
 #include "BruteForce.h"
 #include "Decimate/Edit/Editor.h"
 #include "Decimate/Edit/PatchRules.h"
@@ -198,7 +199,8 @@ TEST(ManifoldPatches, KeepTheLastTriangleAtAStationaryEndOfABoundary)
 
 TEST(ManifoldPatches, RequireOnlyDuplicatesToLieInTheBlock)
 {
-  // Otherwise a single patch boundary would prevent every edit at the ends of blocks in the whole mesh.
+  // Otherwise a single patch boundary would prevent every edit at the ends of blocks in the whole
+  // mesh.
   const CleanSurface clean = Split(HalvedBall(6));
   const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
   const VertexRange nothing = { 0, 0 };

@@ -46,7 +46,8 @@ Options WithAngle(Options options, double degrees)
   return options;
 }
 
-/// A change of one triangle into another one of the plane z = 0, each a base of length 2 and an apex above its middle.
+/// A change of one triangle into another one of the plane z = 0, each a base of length 2 and an
+/// apex above its middle.
 Decision DecideOn(double heightBefore, double heightAfter, double degrees)
 {
   Surface before;

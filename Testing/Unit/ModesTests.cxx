@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of modes: rows that its parts can carry out, and names that options, report and messages take from it.
+// The table of modes: rows that its parts can carry out, and names that options, report and
+// messages take from it.
 #include "Options/Modes.h"
 
 #include "Decimate/Cost/QuadricDeviation.h"

@@ -130,7 +130,8 @@ TEST(Motion, OfSmoothingPassesNoSpeck)
 
 TEST(Motion, OfSmoothingPiercesNothingThatItOnlyTouched)
 {
-  // A pit with a flat floor, which smoothing lifts, and a speck that does not move and stands on the floor with its tip.
+  // A pit with a flat floor, which smoothing lifts, and a speck that does not move and stands on
+  // the floor with its tip.
   Surface pit = Grid(8);
   for (Vector3& p : pit.Points)
   {

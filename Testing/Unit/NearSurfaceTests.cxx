@@ -19,7 +19,8 @@ std::array<Vector3, 3> CornersOf(const Surface& surface, const Triangle& c)
   return { surface.Points[c[0]], surface.Points[c[1]], surface.Points[c[2]] };
 }
 
-/// mm, from points all over the triangle to the surface: too large by at most the distance between them.
+/// mm, from points all over the triangle to the surface: too large by at most the distance between
+/// them.
 double SampledDistance(const std::array<Vector3, 3>& corners, const Surface& surface, int steps)
 {
   double least = std::numeric_limits<double>::infinity();

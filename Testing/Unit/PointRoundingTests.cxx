@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Points of the output on a grid: the certificate confirms that the largest error is kept by what is written.
+// Points of the output on a grid: the certificate confirms that the largest error is kept by what
+// is written.
 #include "Mesh/PointRounding.h"
 #include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
@@ -85,8 +86,8 @@ TEST(PointRounding, TheErrorIsProvedOfPointsOnTheGridInEveryMode)
 
 TEST(PointRounding, PointsThatTheGridWouldMergeAreKeptApart)
 {
-  const Surface input =
-    Icosphere(4, 1.0); // edges of 0.07 mm, not all longer than a diagonal of the grid
+  // edges of 0.07 mm, not all longer than a diagonal of the grid
+  const Surface input = Icosphere(4, 1.0);
   Options options = OnGrid(Mode::Fast, 0.2, 1.0 / 16.0);
   options.TargetNumberOfTriangles = static_cast<Index>(input.Triangles.size());
   const Result result = Decimate(input, options);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The certificate confirms that a result used as input again keeps the largest error relative to the first original.
+// The certificate confirms that a result used as input again keeps the largest error relative to
+// the first original.
 #include "Proof/Certificate/Certificate.h"
 #include "Run/Input/ReferenceInput.h"
 #include "Runs.h"
@@ -144,7 +145,8 @@ TEST(ReferenceInput, OfItselfLeavesEverything)
   EXPECT_NEAR(twice, alone, 0.03 * alone);
 }
 
-/// By brute force: a point of the reference is no farther than the error used at the nearest triangle.
+/// By brute force: a point of the reference is no farther than the error used at the nearest
+/// triangle.
 TEST(ReferenceInput, LeavesNoPointMoreThanItsNeighborsOfTheReferenceAllow)
 {
   const Surface reference = Wavy(Grid(24), 0.0);

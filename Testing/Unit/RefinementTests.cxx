@@ -138,7 +138,8 @@ public:
   std::vector<float> FaceErrors;
 };
 
-/// The mean distance both ways by brute force over the vertices: independent of the measure used in the loop.
+/// The mean distance both ways by brute force over the vertices: independent of the measure used in
+/// the loop.
 double BruteDistance(const Surface& a, const Surface& b)
 {
   double sum = 0.0;
@@ -272,7 +273,8 @@ TEST(RefinedModes, GiveTheSameBytesForAnyNumberOfThreads)
 
 TEST(RefinedModes, GiveTheSameBytesWhereTheLastCollapsesRunInBlocks)
 {
-  // Balanced leaves 2 % of so many triangles to them: more than the 1024 collapses from which on blocks are worth it.
+  // Balanced leaves 2 % of so many triangles to them: more than the 1024 collapses from which on
+  // blocks are worth it.
   const Surface input = HeightField(240, 0.5, 9);
   ExpectTheSameBytesForAnyNumberOfThreads(input, InMode(Mode::Balanced, Triangles(20000)));
 }

@@ -36,7 +36,8 @@ std::map<Corners, int> CornersIn(const Surface& surface)
   return all;
 }
 
-/// Triangles at a point of tolerance 0 are in the result as often as in the input. Equal points have the least tolerance.
+/// Triangles at a point of tolerance 0 are in the result as often as in the input. Equal points
+/// have the least tolerance.
 void ExpectUnchanged(const Surface& input, const Map& map, const Surface& result)
 {
   std::map<std::array<double, 3>, double> least;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The same surface with its points and triangles in another order has the same result up to indices. Equal points that are not
-// merged, and equal triangles, keep the order of the input (SpatialOrder.h): these runs have none.
+// The same surface with its points and triangles in another order has the same result up to
+// indices. Equal points that are not merged, and equal triangles, keep the order of the input
+// (SpatialOrder.h): these runs have none.
 #include "BruteForce.h"
 #include "Random.h"
 #include "Run/Decimate.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The error by which the last collapses, flips and moves of Balanced and Accurate are ordered, against its formula.
+// The error by which the last collapses, flips and moves of Balanced and Accurate are ordered,
+// against its formula.
 #include "Decimate/Cost/SampledErrorCost.h"
 
 #include <gtest/gtest.h>

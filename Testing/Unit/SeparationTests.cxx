@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// How near a surface comes to itself: against the thickness and the gaps of shapes that are known, and distances by brute force.
+// How near a surface comes to itself: against the thickness and the gaps of shapes that are known,
+// and distances by brute force.
 #include "Crossings.h"
 #include "GuardedEditor.h"
 #include "Mesh/HalfEdgeMesh.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What narrow triangles cost where no angle is requested, against its formula, and what that does to the triangles of Balanced.
+// What narrow triangles cost where no angle is requested, against its formula, and what that does
+// to the triangles of Balanced.
 #include "Decimate/Cost/ShapePenalty.h"
 #include "Runs.h"
 

@@ -35,7 +35,8 @@ const BinarySurface& Cube()
   return cube;
 }
 
-/// Half of a long block, cut so that the normals of the cut and of one side differ by the angle, degrees.
+/// Half of a long block, cut so that the normals of the cut and of one side differ by the angle,
+/// degrees.
 BinarySurface Wedge(double angle)
 {
   const double radians = angle / 57.29577951308232;
@@ -333,7 +334,8 @@ TEST(SharpEdges, AreKeptInRunsOfAllModesWithinTheErrorThatIsProved)
 
 TEST(SharpEdges, AreKeptInsideOfEveryLabel)
 {
-  // Two labels side by side in the cube: the curve between them is kept as before, and so are the edges of both.
+  // Two labels side by side in the cube: the curve between them is kept as before, and so are the
+  // edges of both.
   LabelMapSource source;
   for (const Triangle& c : Cube().Surface.Triangles)
   {

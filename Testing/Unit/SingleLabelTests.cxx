@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The surface of one label: its triangles turned outward, vertices split where the label touches itself.
+// The surface of one label: its triangles turned outward, vertices split where the label touches
+// itself.
 #include "Labels/LabelMap/SingleLabel.h"
 
 #include "BruteForce.h"

@@ -17,7 +17,8 @@ namespace
 constexpr std::array<Index, 3> Block = { 22, 20, 41 };
 constexpr double Error = 0.4; // mm
 
-/// A torus around a line that is not along the slabs, with bumps, a wall and small balls, one of them cut by the plane at 20.
+/// A torus around a line that is not along the slabs, with bumps, a wall and small balls, one of
+/// them cut by the plane at 20.
 double Torus(const Vector3& p)
 {
   const Vector3 q = p - Vector3(10.6, 8.7, 19.8);
@@ -203,7 +204,8 @@ TEST(SlabRun, TakesEmptyAndThinSlabs)
   EXPECT_EQ(Describe(outcome.Result.Surface).EulerNumber, 2);
 }
 
-/// Wherever the surface ends below the last planes: with the strip of the next run in reach or not, with the original or not.
+/// Wherever the surface ends below the last planes: with the strip of the next run in reach or not,
+/// with the original or not.
 TEST(SlabRun, TakesSurfacesThatEndBelowEmptySlabs)
 {
   const Surface whole = SurfaceOfFunction(Block, Ball);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlabRuns.h
- * @brief Surfaces of sampled functions, cut into slabs between layers of voxels, and runs over them.
+ * @brief Surfaces of sampled functions, cut into slabs between layers of voxels, and runs over
+ * them.
  */
 #ifndef BoneDecimate_Testing_SlabRuns_h
 #define BoneDecimate_Testing_SlabRuns_h
@@ -19,7 +20,8 @@ namespace bonedecimate::testsupport
 {
 using Function = std::function<double(const Vector3& p)>;
 
-/// Where the function is 0: the surface of the voxels at which it is positive, its points moved along their grid edges.
+/// Where the function is 0: the surface of the voxels at which it is positive, its points moved
+/// along their grid edges.
 inline Surface SurfaceOfFunction(
   const std::array<Index, 3>& size, const Function& function, bool isClosed = true)
 {

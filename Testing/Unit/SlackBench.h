@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackBench.h
- * @brief A surface that the sweep has simplified as far as its error allows, for tests of what comes after.
+ * @brief A surface that the sweep has simplified as far as its error allows, for tests of what
+ * comes after.
  */
 #ifndef BoneDecimate_Testing_SlackBench_h
 #define BoneDecimate_Testing_SlackBench_h

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits by how much of the error bound is left: compared with brute force, with the mesh before, and with the certificate.
+// Edits by how much of the error bound is left: compared with brute force, with the mesh before,
+// and with the certificate.
 #include "Decimate/Stages/FanSearch.h"
 #include "Decimate/Stages/SlackCandidates.h"
 #include "Decimate/Stages/SlackRefinement.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Smoothing of binary surfaces with their grid: nearer to the shape, every voxel kept, thin parts kept.
+// Smoothing of binary surfaces with their grid: nearer to the shape, every voxel kept, thin parts
+// kept.
 #include "Crossings.h"
 #include "Geometry/BoundingTree.h"
 #include "Geometry/TriangleGeometry.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs that smooth first: the certificate confirms the error relative to the input, and everything a run knows applies.
+// Runs that smooth first: the certificate confirms the error relative to the input, and everything
+// a run knows applies.
 #include "LabeledSurfaces.h"
 #include "LevelRuns.h"
 #include "Proof/Certificate/Certificate.h"

@@ -248,7 +248,8 @@ TEST(Smoothing, IsStrongerWithMoreStrengthAndFartherWithMoreRadius)
 
 TEST(Smoothing, ReachesTheMinimum)
 {
-  // Without limits the minimum solves (1 + lambda L^T L) d = -lambda L^T L x0: compare with ten times the iterations.
+  // Without limits the minimum solves (1 + lambda L^T L) d = -lambda L^T L x0: compare with ten
+  // times the iterations.
   const BinarySurface ball = MarchedShape(Oblique(BallShape(4.0)), 5.0, Cubic);
   SmoothingSettings settings = Within(10.0);
   settings.Strength = 5.0;

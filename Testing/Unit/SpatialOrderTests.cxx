@@ -143,8 +143,8 @@ TEST(SpatialOrder, TheMapsGoAlongWithPointsAndTriangles)
     {
       EXPECT_EQ(after.PointOfInput[i] == None, before.PointOfInput[i] == None);
     }
-    std::vector<std::pair<Triangle, Index>>
-      positions; // corners from the least one on, then old index
+    // corners from the least one on, then old index
+    std::vector<std::pair<Triangle, Index>> positions;
     for (std::size_t t = 0; t < after.Surface.Triangles.size(); ++t)
     {
       const Triangle& corners = after.Surface.Triangles[t];

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Thin spikes, whose tips have no area: accumulated error of a collapse, its penalty, and the distance of results.
+// Thin spikes, whose tips have no area: accumulated error of a collapse, its penalty, and the
+// distance of results.
 #include "BruteForce.h"
 #include "Decimate/Cost/SampledErrorCost.h"
 #include "Decimate/Schedule/BucketSweep.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// A surface that several runs simplify in parts: smoothed as a whole, and constrained where parts meet.
+// A surface that several runs simplify in parts: smoothed as a whole, and constrained where parts
+// meet.
 #include "LevelRuns.h"
 #include "Proof/Certificate/Certificate.h"
 #include "Run/Decimate.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The certificate confirms that tolerances are kept; points with a tolerance of 0 do not change in any bit.
+// The certificate confirms that tolerances are kept; points with a tolerance of 0 do not change in
+// any bit.
 #include "Proof/Certificate/Certificate.h"
 #include "Proof/ErrorBound/ErrorBound.h"
 #include "Random.h"
@@ -24,7 +25,8 @@ Result DecimateWith(const Surface& input, const Options& options, const Map& tol
   return Decimate(input, options, {}, { false, false, &tolerances });
 }
 
-/// Proved, or undecided within the slack of the certificate, which is the best possible for a distance of 0 in a soup.
+/// Proved, or undecided within the slack of the certificate, which is the best possible for a
+/// distance of 0 in a soup.
 ProofStatus CheckMap(const Surface& input, const Surface& result, const Map& tolerances)
 {
   CertificateOptions options;
@@ -38,7 +40,8 @@ ProofStatus CheckMap(const Surface& input, const Surface& result, const Map& tol
   return excess <= 2.0 * found.Slack ? ProofStatus::Proved : found.Proof;
 }
 
-/// A few constrained, a few without a limit, the rest anything up to that; smooth enough for values in between.
+/// A few constrained, a few without a limit, the rest anything up to that; smooth enough for values
+/// in between.
 Map RandomMap(const Surface& surface, double most, std::uint64_t seed)
 {
   Random random(seed);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Intersection of triangles compared with tests of all edges in long double; cells and distances compared with samples.
+// Intersection of triangles compared with tests of all edges in long double; cells and distances
+// compared with samples.
 #include "BruteForce.h"
 #include "Crossings.h"
 #include "Proof/Guard/FaceGrid.h"
@@ -80,7 +81,8 @@ bool LiesOnOneSide(const TriangleCorners& a, const TriangleCorners& b)
     std::max({ height(b[0]), height(b[1]), height(b[2]) }) <= 0.0;
 }
 
-/// Whether an edge of a goes through the inside of b, where corners on a lattice let nothing be rounded.
+/// Whether an edge of a goes through the inside of b, where corners on a lattice let nothing be
+/// rounded.
 bool EdgeGoesThrough(const TriangleCorners& a, const TriangleCorners& b)
 {
   const Vector3 normal = (b[1] - b[0]).cross(b[2] - b[0]);
@@ -151,8 +153,8 @@ TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesInOnePlane)
   }
 }
 
-/// Corners on a small lattice, so that all that is special happens: corners in planes, on edges and on corners, planes in
-/// common. Brute force has no rounding there.
+/// Corners on a small lattice, so that all that is special happens: corners in planes, on edges and
+/// on corners, planes in common. Brute force has no rounding there.
 TEST(TrianglePair, MeetsWhereBruteForceFindsThatItDoesOnALattice)
 {
   RandomPoints points(7);
@@ -206,7 +208,8 @@ TEST(TrianglePair, PiercesWhereAnEdgeGoesThroughTheInside)
   }
 }
 
-/// The pair is known on a lattice, and stays what it is in a plane that is not along an axis, where nothing is rounded.
+/// The pair is known on a lattice, and stays what it is in a plane that is not along an axis, where
+/// nothing is rounded.
 TEST(TrianglePair, DecidesTheSameInEveryPlaneOfALattice)
 {
   RandomPoints points(15);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// No triangle is turned over, in one step or in many: faces keep their ids, so each can be compared with its original.
+// No triangle is turned over, in one step or in many: faces keep their ids, so each can be compared
+// with its original.
 #include "Decimate/Stages/StageList.h"
 #include "Mesh/SpatialOrder.h"
 #include "Runs.h"
@@ -27,7 +28,8 @@ Vector3 AreaOf(const std::vector<Vector3>& points, const Triangle& t)
   return 0.5 * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
 }
 
-/// Cosine of the most by which any face has turned since the beginning that has not outgrown its original normal.
+/// Cosine of the most by which any face has turned since the beginning that has not outgrown its
+/// original normal.
 double MinFacing(const HalfEdgeMesh& mesh, const Surface& original)
 {
   std::vector<Vector3> points;
@@ -54,8 +56,8 @@ void RunIn(Editor& editor, Mode mode, const StopTargets& stops)
   RunStages({ editor, FindMode(mode), stops, 0.95 }, [](double) { return true; });
 }
 
-/// Two triangles of a flat grid lie at the edge p-q, and v is the corner of one of them: where v goes if that triangle
-/// swings round the edge.
+/// Two triangles of a flat grid lie at the edge p-q, and v is the corner of one of them: where v
+/// goes if that triangle swings round the edge.
 struct Swing
 {
   explicit Swing(const HalfEdgeMesh& mesh)

@@ -102,7 +102,8 @@ VoxelPatch PatchOf(const Fans& fans)
 
 using Corners = std::array<Vector3, 3>;
 
-/// The square [-1, 1] x [-1, 1] around a voxel center at a height, as four triangles around its middle.
+/// The square [-1, 1] x [-1, 1] around a voxel center at a height, as four triangles around its
+/// middle.
 std::vector<Corners> Square(double height, double middleHeight)
 {
   const Vector3 middle(0.1, 0.2, middleHeight);
@@ -213,7 +214,8 @@ TEST(VoxelPatches, OfAnOpenSurfaceMayNotUncoverAnEdgeOfTheGrid)
   EXPECT_FALSE(Keeps(whole, Single, without, Single, true));
 }
 
-/// A boundary in the plane of the outermost voxel centers: it ends on the grid's edges, whichever end of the volume that is.
+/// A boundary in the plane of the outermost voxel centers: it ends on the grid's edges, whichever
+/// end of the volume that is.
 TEST(VoxelPatches, OfAnOpenSurfaceAreGuardedOnBothEndsOfTheVolume)
 {
   for (const double side : { -1.0, 1.0 })

@@ -14,7 +14,8 @@ using namespace bonedecimate::testsupport;
 
 namespace
 {
-/// Where a bumpy ball cuts the edges of a grid, as marching cubes would put its vertices; no triangles.
+/// Where a bumpy ball cuts the edges of a grid, as marching cubes would put its vertices; no
+/// triangles.
 Surface CutsOfAGrid(const Vector3& spacing, const Vector3& origin)
 {
   const auto value = [](const Vector3& p)

@@ -58,7 +58,8 @@ TEST(ZoneRun, ChangesNothingOutsideOfItsZone)
   }
 }
 
-/// The strip is nearly as far from the original as the error allows: little is left of it, but edits refer to the original.
+/// The strip is nearly as far from the original as the error allows: little is left of it, but
+/// edits refer to the original.
 TEST(ZoneRun, GivesEditsTheWholeErrorOfTheOriginal)
 {
   const Surface original = HeightField(20, 0.2, 5);

@@ -30,7 +30,8 @@ struct SeriesOptions
   gdcm::PhotometricInterpretation::PIType Colors = gdcm::PhotometricInterpretation::MONOCHROME2;
 };
 
-/// Writes one file for each slice. The order of names is not that of slices; the patient is called Secret^Patient.
+/// Writes one file for each slice. The order of names is not that of slices; the patient is called
+/// Secret^Patient.
 void WriteDicom(const std::string& folder, const Scan& scan, const SeriesOptions& options = {});
 }
 

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DumpVolume.cxx
- * @brief What the readers find in a volume: a description on the standard output, the voxels in a file.
+ * @brief What the readers find in a volume: a description on the standard output, the voxels in a
+ * file.
  *
  *     bonedecimate-dump-volume VOLUME VOXELS [X Y Z]     spacing in mm
  *     bonedecimate-dump-volume < LIST
  *
  * A line of the list is VOLUME VOXELS [X Y Z], with tabs between them; each gets a line of output.
  *
- * Testing/Volume/formats_test.py and Testing/Formats/Volumes compare it with what other programs wrote and read.
+ * Testing/Volume/formats_test.py and Testing/Formats/Volumes compare it with what other programs
+ * wrote and read.
  */
 #include "LabelVolume.h"
 #include "VolumeFile.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Specimen.h
- * @brief A shape in patient coordinates, scanned on any grid: the surface must not depend on the grid.
+ * @brief A shape in patient coordinates, scanned on any grid: the surface must not depend on the
+ * grid.
  */
 #ifndef BoneDecimate_Testing_Specimen_h
 #define BoneDecimate_Testing_Specimen_h

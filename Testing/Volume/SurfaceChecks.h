@@ -42,8 +42,8 @@ void ExpectSpecimen(const BoneSurface& bone);
 /// Fails if there is a difference in points of more than so many mm, or any in triangles.
 void ExpectEqual(vtkPolyData* a, vtkPolyData* b, double tolerance);
 
-/// Fails if the file is read, if the message does not contain these words, or if anything was written
-/// to the terminal.
+/// Fails if the file is read, if the message does not contain these words, or if anything was
+/// written to the terminal.
 void ExpectRejection(const std::string& path, const std::string& words, double hounsfield = 226.0);
 }
 

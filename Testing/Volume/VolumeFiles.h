@@ -48,7 +48,8 @@ void WriteNifti(const std::string& path, const Scan& scan);
 /// Pages of a TIFF file, or one of them.
 std::string TiffBytes(const Scan& scan, std::size_t firstPage, std::size_t pages);
 
-/// A .seg.nrrd of 3D Slicer with one byte a voxel. @param layers Values a voxel: an axis of its own if there are several.
+/// A .seg.nrrd of 3D Slicer with one byte a voxel. @param layers Values a voxel: an axis of its own
+/// if there are several.
 /// @param segments Lines of the header such as "Segment0_Name:=Femur".
 std::string SegmentationBytes(const std::array<std::size_t, 3>& size, std::size_t layers,
   const std::string& segments, const std::string& voxels);

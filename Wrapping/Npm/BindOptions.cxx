@@ -20,8 +20,8 @@ bool IsLeftOut(const OptionInfo& info)
     !WhyUnsupported(FindRunKind("OneThread"), info).empty();
 }
 
-/// The flag of the command line in camel case: "max-error" is maxError. Without a flag the name: OutputPointsGrid is
-/// outputPointsGrid.
+/// The flag of the command line in camel case: "max-error" is maxError. Without a flag the name:
+/// OutputPointsGrid is outputPointsGrid.
 std::string KeyOf(const OptionInfo& info)
 {
   std::string key;
@@ -55,7 +55,8 @@ std::string KindOf(const OptionInfo& info)
                                                  : "number";
 }
 
-/// Numbers and switches as they are; choices and other texts by their name. Numbers also as text: "halfvoxel" is none.
+/// Numbers and switches as they are; choices and other texts by their name. Numbers also as text:
+/// "halfvoxel" is none.
 std::string SetFrom(Options& options, const OptionInfo& info, const val& value)
 {
   const std::string type = value.typeOf().as<std::string>();

@@ -17,7 +17,8 @@ namespace bonedecimate
 /// The table: name, kind, unit, choices, values, default and description of each option.
 val OptionRows();
 
-/// Sets the options that the object has. @returns What is wrong, in one sentence; empty if nothing is.
+/// Sets the options that the object has. @returns What is wrong, in one sentence; empty if nothing
+/// is.
 std::string ReadOptions(const val& from, Options& options);
 }
 

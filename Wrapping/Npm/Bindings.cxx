@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the worker of the package calls: each function takes and returns plain objects and typed arrays. Problems are the text
-// `problem` of what is returned; nothing is thrown.
+// What the worker of the package calls: each function takes and returns plain objects and typed
+// arrays. Problems are the text `problem` of what is returned; nothing is thrown.
 #include "BindOptions.h"
 #include "Labels/LabelMap/LabelSurfaces.h"
 #include "Proof/Certificate/Certificate.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Arrays.h
- * @brief numpy arrays from and to the core's vectors. What comes in is copied once, what goes out is handed over.
+ * @brief numpy arrays from and to the core's vectors. What comes in is copied once, what goes out
+ * is handed over.
  */
 #ifndef BoneDecimate_Wheel_Arrays_h
 #define BoneDecimate_Wheel_Arrays_h
@@ -33,7 +34,8 @@ using NumbersIn = ArrayIn<double, nb::ndim<1>>;
 using CellsIn = ArrayIn<std::int64_t, nb::ndim<1>>;
 
 using CornersIn = ArrayIn<double, nb::shape<-1, 3, 3>>;
-/// Kind, count and noun of each entry, where its first is, and the corners of its triangles, as in LeftOutShape.
+/// Kind, count and noun of each entry, where its first is, and the corners of its triangles, as in
+/// LeftOutShape.
 using LeftOutIn =
   std::vector<std::tuple<std::string, std::int64_t, std::string, std::string, CornersIn>>;
 

@@ -35,7 +35,8 @@ const OptionInfo& Row(const std::string& name)
   return *info;
 }
 
-/// A Python number as the kind of number that the option is; what cannot be turned without loss is a TypeError.
+/// A Python number as the kind of number that the option is; what cannot be turned without loss is
+/// a TypeError.
 OptionValue AsKindOf(const OptionValue& current, const OptionValue& given, const OptionInfo& info)
 {
   return std::visit(

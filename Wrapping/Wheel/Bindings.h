@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Bindings.h
- * @brief The core for Python: numpy arrays in, numpy arrays out. Shapes and types are made right by the package around it.
+ * @brief The core for Python: numpy arrays in, numpy arrays out. Shapes and types are made right by
+ * the package around it.
  */
 #ifndef BoneDecimate_Wheel_Bindings_h
 #define BoneDecimate_Wheel_Bindings_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Listener.h
- * @brief A run that lets other Python threads go on, tells a Python function its progress and hears Ctrl-C.
+ * @brief A run that lets other Python threads go on, tells a Python function its progress and hears
+ * Ctrl-C.
  *
  *     without the interpreter's lock:  run(monitor)
  *     monitor, with the lock:  a signal came, the function raised, or it returned False -> stop

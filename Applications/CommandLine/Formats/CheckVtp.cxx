@@ -39,7 +39,8 @@ std::string ReadPart(const std::string& path, std::uintmax_t from, std::size_t l
   return text;
 }
 
-/// The value of an attribute of the tag that begins at a position, in either kind of quotes; empty if it is not there.
+/// The value of an attribute of the tag that begins at a position, in either kind of quotes; empty
+/// if it is not there.
 std::string AttributeOf(const std::string& text, std::size_t tag, std::string_view name)
 {
   const char* const blanks = " \t\r\n";

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FileFrame.h
- * @brief The axes of coordinates as 3D Slicer writes them into surface files: "SPACE=RAS" or "SPACE=LPS".
+ * @brief The axes of coordinates as 3D Slicer writes them into surface files: "SPACE=RAS" or
+ * "SPACE=LPS".
  *
  *     STL      header         OBJ, PLY  comment         VTK  title         VTP  field array "SPACE"
  *
- * A surface in memory has it as the field array "SPACE" of one string, whatever file it comes from. Without it, 3D Slicer takes
- * coordinates for LPS, so that a file in RAS that lost it is turned by half a revolution.
+ * A surface in memory has it as the field array "SPACE" of one string, whatever file it comes from.
+ * Without it, 3D Slicer takes coordinates for LPS, so that a file in RAS that lost it is turned by
+ * half a revolution.
  */
 #ifndef BoneDecimate_Applications_FileFrame_h
 #define BoneDecimate_Applications_FileFrame_h

@@ -26,7 +26,8 @@ namespace
 using Corners = std::array<vtkIdType, 3>;
 using Position = std::array<double, 3>;
 
-/// All triangles, in the order of the polygons; polygons of more corners are no triangles and left out.
+/// All triangles, in the order of the polygons; polygons of more corners are no triangles and left
+/// out.
 std::vector<Corners> TrianglesOf(vtkPolyData* surface)
 {
   std::vector<Corners> triangles;
@@ -255,8 +256,8 @@ std::vector<FilePart> PartsOf(vtkPolyData* surface)
 {
   const std::vector<Corners> triangles = TrianglesOf(surface);
   vtkDataArray* const sides = surface->GetCellData()->GetArray(BoundaryLabelsName);
-  const vtkIdType firstCell =
-    surface->GetNumberOfVerts() + surface->GetNumberOfLines(); // before those of triangles
+  // before those of triangles
+  const vtkIdType firstCell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   std::vector<NamedLabel> labels = LabelsOf(surface);
   PartBuilder builder(surface);
   std::vector<FilePart> parts;

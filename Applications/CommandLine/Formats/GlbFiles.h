@@ -7,12 +7,14 @@
  *     node 0             millimeters -> meters, z up -> y up; in its extras the unit
  *       node 1, 2 ...    one for each label: name, material of its color; in its extras the label
  *
- * Plain, coordinates are single numbers in millimeters, as core glTF has them. Compressed, they are whole numbers of 16 bits
- * (KHR_mesh_quantization) in the codec of EXT_meshopt_compression; translation and scale of the nodes are those of the grid
- * (PointGrid.h), one for all nodes of a file.
+ * Plain, coordinates are single numbers in millimeters, as core glTF has them. Compressed, they are
+ * whole numbers of 16 bits (KHR_mesh_quantization) in the codec of EXT_meshopt_compression;
+ * translation and scale of the nodes are those of the grid (PointGrid.h), one for all nodes of a
+ * file.
  *
- * Coordinates are multiples of a power of two, exact in single precision: what is read back, before node 0, is what was written,
- * bit for bit, in both forms. Compressed, triangles and points are in an order that takes fewer bytes.
+ * Coordinates are multiples of a power of two, exact in single precision: what is read back, before
+ * node 0, is what was written, bit for bit, in both forms. Compressed, triangles and points are in
+ * an order that takes fewer bytes.
  *
  * Khronos Group, glTF 2.0; KHR_mesh_quantization; EXT_meshopt_compression.
  */
@@ -45,16 +47,19 @@ constexpr std::array<double, 16> FrameMatrix = { 0.001, 0, 0, 0, 0, 0, -0.001, 0
   0, 0, 1 };
 /// @}
 
-/// @name Points in mm; those of a compressed file are on a grid. @throws Failure(ExitCode::CouldNotWrite) @{
+/// @name Points in mm; those of a compressed file are on a grid. @throws
+/// Failure(ExitCode::CouldNotWrite) @{
 void WriteGlbFile(vtkPolyData* surface, const std::string& path);
 void WriteCompressedGlbFile(vtkPolyData* surface, const std::string& path);
 /// @}
 
-/// Names of the arrays of the surface that a file has: colors, normals and texture coordinates of points, and labels.
+/// Names of the arrays of the surface that a file has: colors, normals and texture coordinates of
+/// points, and labels.
 std::set<std::string> ArraysOfGlb(vtkPolyData* surface);
 
-/// The meshes of the default scene with their transforms: in mm, with BoundaryLabels if it has labels, if this program wrote
-/// the file; else in the unit of SetFileUnit() (FileUnit.h). @throws Failure(ExitCode::InputRejected)
+/// The meshes of the default scene with their transforms: in mm, with BoundaryLabels if it has
+/// labels, if this program wrote the file; else in the unit of SetFileUnit() (FileUnit.h). @throws
+/// Failure(ExitCode::InputRejected)
 vtkSmartPointer<vtkPolyData> ReadGlbFile(
   const std::string& path, std::vector<std::string>& warnings);
 }

@@ -4,7 +4,8 @@
  * @file GltfDocument.h
  * @brief The JSON and the binary chunk of a GLB file, and the numbers of its accessors.
  *
- *     accessor -> buffer view -> bytes of the chunk, of a data URI, or decoded by meshoptimizer -> numbers
+ *     accessor -> buffer view -> bytes of the chunk, of a data URI, or decoded by meshoptimizer ->
+ *       numbers
  *
  * What a file may claim is limited to a gigabyte or twenty times its size.
  */
@@ -43,15 +44,18 @@ public:
   /// Bytes of the file behind its contents.
   std::size_t ExtraBytes() const { return this->BytesBehind; }
 
-  /// @name Of an accessor, which is decoded once. @throws Failure(ExitCode::InputRejected), Json::exception @{
+  /// @name Of an accessor, which is decoded once. @throws Failure(ExitCode::InputRejected),
+  /// Json::exception @{
   const GltfNumbers& NumbersOf(const Json& accessorIndex);
   std::vector<std::uint32_t> IndicesOf(const Json& accessorIndex);
   /// @}
 
-  /// Counts memory that the result takes. @throws Failure(ExitCode::InputRejected) if it is too much.
+  /// Counts memory that the result takes. @throws Failure(ExitCode::InputRejected) if it is too
+  /// much.
   void Claim(std::size_t bytes);
 
-  /// The entry of a list of the document, such as "meshes". @throws Failure(ExitCode::InputRejected)
+  /// The entry of a list of the document, such as "meshes". @throws
+  /// Failure(ExitCode::InputRejected)
   const Json& EntryOf(const char* list, const Json& index) const;
 
   [[noreturn]] void Fail(const std::string& reason) const;

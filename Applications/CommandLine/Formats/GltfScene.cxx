@@ -79,7 +79,8 @@ GltfTransform TransformOf(const Json& node)
     NumbersIn(node, "scale", Vector{ 1.0, 1.0, 1.0 }));
 }
 
-/// The node that GlbFiles.h describes: below it the surface is in millimeters and in the frame of its input.
+/// The node that GlbFiles.h describes: below it the surface is in millimeters and in the frame of
+/// its input.
 bool IsFrameOfProgram(const Json& node)
 {
   const bool saysUnit = node.contains("extras") && node.at("extras").is_object() &&

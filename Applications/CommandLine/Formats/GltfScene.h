@@ -41,8 +41,8 @@ struct GltfInstance
 struct GltfScene
 {
   std::vector<GltfInstance> Instances;
-  bool IsInMillimeters =
-    false; ///< Written by this program: below the node of its frame (GlbFiles.h).
+  /// Written by this program: below the node of its frame (GlbFiles.h).
+  bool IsInMillimeters = false;
   std::int64_t HiddenNodes = 0;      ///< Nodes that are marked as not visible.
   std::int64_t UnusedMeshes = 0;     ///< Meshes without a node; 0 if there are hidden nodes.
   std::vector<std::string> Warnings; ///< What the scene leaves aside, a sentence each.
@@ -51,7 +51,8 @@ struct GltfScene
 /// @throws Failure(ExitCode::InputRejected), Json::exception
 GltfScene ReadScene(const GltfDocument& document);
 
-/// Tells the surface what of its file is no part of it (LeftOutCells.h).  @param primitives Of points or lines.
+/// Tells the surface what of its file is no part of it (LeftOutCells.h).  @param primitives Of
+///   points or lines.
 void ListLeftOut(const GltfScene& scene, std::int64_t primitives, vtkPolyData* surface);
 }
 

@@ -7,7 +7,8 @@
  *     line ends        LF, CRLF and CR, also mixed
  *     blanks           those of C, spaces of Unicode such as U+00A0, the byte-order mark
  *
- * What follows the lines in binary begins after the line end: if the first line ends with CR alone, every line does.
+ * What follows the lines in binary begins after the line end: if the first line ends with CR alone,
+ * every line does.
  */
 #ifndef BoneDecimate_Applications_LineReader_h
 #define BoneDecimate_Applications_LineReader_h
@@ -25,7 +26,8 @@ class LineReader
 public:
   explicit LineReader(const std::string& path);
 
-  /// Goes on to the next line; false at the end of the file. @throws Failure if the file is UTF-16 text.
+  /// Goes on to the next line; false at the end of the file. @throws Failure if the file is UTF-16
+  /// text.
   bool Next();
 
   /// Whether this line ends with a backslash.

@@ -63,7 +63,8 @@ struct ObjContent
 /**
  * Texture coordinates (an array for each material) and normals become point arrays; where the
  * corners of a vertex differ in them, every corner gets a point of its own. GroupIds, if there are
- * several, and MaterialIds become cell arrays. Colors become the point array RGB if every vertex has one.
+ * several, and MaterialIds become cell arrays. Colors become the point array RGB if every vertex
+ * has one.
  */
 vtkSmartPointer<vtkPolyData> SurfaceOf(ObjContent& content);
 }

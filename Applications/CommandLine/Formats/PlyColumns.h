@@ -7,7 +7,8 @@
  *     colors, three or four bytes        red green blue (alpha)
  *     active normals of points           nx ny nz
  *     active texture of points           u v
- *     other numbers of up to 32 bits     the name of the array; with several components NAME_0, NAME_1, ...
+ *     other numbers of up to 32 bits     the name of the array; with several components NAME_0,
+ *                                        NAME_1, ...
  *
  * Arrays that a run adds (distances, maps, labels) are left to vtp and vtk.
  */

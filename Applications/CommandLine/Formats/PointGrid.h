@@ -4,8 +4,9 @@
  * @file PointGrid.h
  * @brief The grid of files whose coordinates are whole numbers of 16 bits.
  *
- * The step is a power of two, in mm, and every coordinate a whole multiple of it. So coordinates are exact in single
- * precision, whatever arithmetic decodes them, and files that have points in common have the same coordinates there.
+ * The step is a power of two, in mm, and every coordinate a whole multiple of it. So coordinates
+ * are exact in single precision, whatever arithmetic decodes them, and files that have points in
+ * common have the same coordinates there.
  */
 #ifndef BoneDecimate_Applications_PointGrid_h
 #define BoneDecimate_Applications_PointGrid_h

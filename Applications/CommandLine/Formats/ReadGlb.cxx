@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Meshes of the default scene, placed by its nodes. Files of WriteGlb.cxx come back in mm, as they were written.
+/// Meshes of the default scene, placed by its nodes. Files of WriteGlb.cxx come back in mm, as they
+/// were written.
 #ifdef BONEDECIMATE_HAS_MESHOPTIMIZER
 
 #include "FileChecks.h"
@@ -291,7 +292,8 @@ private:
     }
   }
 
-  /// As arrays of other formats have it: colors in sRGB, texture coordinates from the lower left. @return The name of the array.
+  /// As arrays of other formats have it: colors in sRGB, texture coordinates from the lower left.
+  /// @return The name of the array.
   static std::string Converted(
     const std::string& name, const GltfTransform& transform, PartArray& array)
   {

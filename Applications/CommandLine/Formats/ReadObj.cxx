@@ -209,7 +209,8 @@ private:
     this->ReadRest(words);
   }
 
-  /// Behind x, y and z: a weight, or red, green and blue and perhaps alpha, which MeshLab and others write.
+  /// Behind x, y and z: a weight, or red, green and blue and perhaps alpha, which MeshLab and
+  /// others write.
   void ReadRest(const std::vector<std::string_view>& words)
   {
     const std::size_t numbers = words.size() - 4;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// PLY states its counts: memory is allocated only after the size of the file was compared with them.
-/// Not read by VTK, whose reader rounds coordinates to single precision.
+/// PLY states its counts: memory is allocated only after the size of the file was compared with
+/// them. Not read by VTK, whose reader rounds coordinates to single precision.
 #include "CoordinateCollector.h"
 #include "FileChecks.h"
 #include "FileFrame.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The model passes from the archive to the parser in small pieces, so that a damaged archive cannot claim much memory.
+/// The model passes from the archive to the parser in small pieces, so that a damaged archive
+/// cannot claim much memory.
 #ifdef BONEDECIMATE_HAS_LIBZIP
 
 #include "FileChecks.h"
@@ -256,8 +257,8 @@ private:
   const std::string& Path;
   ZipArchive Zip;
   std::map<std::string, ThreeMfPart> Models; // by name of the part
-  std::set<std::pair<std::string, std::string>>
-    UsedObjects; // part and id of those that the build names
+  // part and id of those that the build names
+  std::set<std::pair<std::string, std::string>> UsedObjects;
   std::vector<FilePart> Parts;
   double BytesLeft = 0.0; // that objects may take
   std::int64_t NotPrintable = 0;

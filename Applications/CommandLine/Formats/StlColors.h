@@ -5,10 +5,12 @@
  * @brief Colors in the two bytes that follow each triangle of a binary STL file, 5 bits a channel.
  *
  *     VisCAM, SolidView     blue in the lowest bits; bit 15 set: a color
- *     Magics                the header has "COLOR=" with four bytes, red, green, blue and alpha, for all; red in the lowest bits;
+ *     Magics                the header has "COLOR=" with four bytes, red, green, blue and alpha,
+ *                           for all; red in the lowest bits;
  *                           bit 15 not set: a color of its own
  *
- * They become the cell array RGB, three bytes. Triangles without a color have that of the header, or are white.
+ * They become the cell array RGB, three bytes. Triangles without a color have that of the header,
+ * or are white.
  */
 #ifndef BoneDecimate_Applications_StlColors_h
 #define BoneDecimate_Applications_StlColors_h

@@ -4,8 +4,9 @@
  * @file SurfaceFormat.h
  * @brief The table of surface formats: what each can hold, how it is read and written.
  *
- * A new format is a file NAMEFormat.cxx with its row and the name of that row in SurfaceFormat.cxx. Readers, writers, messages,
- * the help, batches, the description for 3D Slicer, tests and the fuzzer of files take it from there.
+ * A new format is a file NAMEFormat.cxx with its row and the name of that row in SurfaceFormat.cxx.
+ * Readers, writers, messages, the help, batches, the description for 3D Slicer, tests and the
+ * fuzzer of files take it from there.
  */
 #ifndef BoneDecimate_Applications_SurfaceFormat_h
 #define BoneDecimate_Applications_SurfaceFormat_h
@@ -29,7 +30,8 @@ struct SurfaceFormat
   bool KeepsPoints;      ///< As many points come back as were written.
 
   /**
-   * Reads a file that is there and not empty. What it does not read becomes a warning or a message of VTK.
+   * Reads a file that is there and not empty. What it does not read becomes a warning or a message
+   * of VTK.
    * @throws Failure(ExitCode::InputRejected)
    */
   vtkSmartPointer<vtkPolyData> (*Read)(const std::string& path, std::vector<std::string>& warnings);
@@ -37,21 +39,23 @@ struct SurfaceFormat
   /// @throws Failure(ExitCode::CouldNotWrite)
   void (*Write)(vtkPolyData* surface, const std::string& path);
 
-  bool NamesUnit =
-    false; ///< The file says its unit: surfaces are read and written in mm, whatever --unit is.
-  bool UnitMayDiffer =
-    false; ///< Files of other programs name a unit that may not be meant: --unit tells another.
-  bool HasGrid =
-    false; ///< Coordinates are whole multiples of a step (PointGrid.h): surfaces are written on such a grid.
+  /// The file says its unit: surfaces are read and written in mm, whatever --unit is.
+  bool NamesUnit = false;
+  /// Files of other programs name a unit that may not be meant: --unit tells another.
+  bool UnitMayDiffer = false;
+  /// Coordinates are whole multiples of a step (PointGrid.h): surfaces are written on such a grid.
+  bool HasGrid = false;
   bool IsForPrinting = false; ///< Parts that are not closed are no solids in it.
   bool HoldsLines = false;    ///< Lines and single vertices; those that hold arrays do.
-  /// Names of the arrays of points, cells and fields that a file of this surface holds; null: all or none, see HoldsArrays.
+  /// Names of the arrays of points, cells and fields that a file of this surface holds; null: all
+  /// or none, see HoldsArrays.
   std::set<std::string> (*ArraysHeld)(vtkPolyData* surface) = nullptr;
   /// Writes in fewer bytes what fewer programs read; null: there is one form only.
   void (*WriteCompressed)(vtkPolyData* surface, const std::string& path) = nullptr;
   std::string MissingLibrary = {}; ///< What the build lacks to read and write it; empty: nothing.
 
-  /// What a file has to pass before a library reads it, which would trust it; null: Read checks all itself.
+  /// What a file has to pass before a library reads it, which would trust it; null: Read checks all
+  /// itself.
   void (*Check)(const std::string& path, CoordinateCollector& textPoints) = nullptr;
 };
 

@@ -13,7 +13,8 @@
 
 namespace bonedecimate
 {
-/// What the system says of the last failure: "No space left on device"; without that "the file could not be written".
+/// What the system says of the last failure: "No space left on device"; without that "the file
+/// could not be written".
 std::string WriteProblem();
 
 class TextOutput
@@ -23,7 +24,8 @@ public:
 
   void Add(std::string_view text);
 
-  /// A blank and the shortest decimal that is read as the same number, of single or double precision.
+  /// A blank and the shortest decimal that is read as the same number, of single or double
+  /// precision.
   void AddNumber(double number, bool isSingle);
 
   /// @throws Failure(ExitCode::CouldNotWrite) if not everything was written.

@@ -70,7 +70,8 @@ public:
   std::string Finish();
   ThreeMfPart& Part();
 
-  /// The part at which the package begins: the target of the relationship that was parsed instead of a model.
+  /// The part at which the package begins: the target of the relationship that was parsed instead
+  /// of a model.
   const std::string& StartPart() const;
 
 private:

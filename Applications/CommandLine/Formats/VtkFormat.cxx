@@ -39,7 +39,8 @@ void UnifyLineEnds(std::string& text)
   text.resize(kept);
 }
 
-/// The text of a file that VTK's reader does not take as it is: with a byte-order mark or with CR in line ends. Empty: it takes it.
+/// The text of a file that VTK's reader does not take as it is: with a byte-order mark or with CR
+/// in line ends. Empty: it takes it.
 std::string NormalizedText(const std::string& path)
 {
   const std::string mark = "\xEF\xBB\xBF";

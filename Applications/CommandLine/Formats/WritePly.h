@@ -14,8 +14,9 @@
 namespace bonedecimate
 {
 /**
- * Points, polygons and the arrays of PlyColumns.h, little-endian. Of a surface in single precision without other arrays
- * than texture coordinates the bytes are those of vtkPLYWriter, which rounds doubles.
+ * Points, polygons and the arrays of PlyColumns.h, little-endian. Of a surface in single precision
+ * without other arrays than texture coordinates the bytes are those of vtkPLYWriter, which rounds
+ * doubles.
  * @throws Failure(ExitCode::CouldNotWrite)
  */
 void WritePlyFile(vtkPolyData* surface, const std::string& path);

@@ -120,7 +120,8 @@ private:
     this->Text += "</triangles>\n</mesh></object>\n";
   }
 
-  /// The decimal that equals the nearest single number, so that readers of any precision have the same one.
+  /// The decimal that equals the nearest single number, so that readers of any precision have the
+  /// same one.
   void AddAttribute(const char* begin, double coordinate)
   {
     const float single = static_cast<float>(coordinate);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelNames.h
- * @brief What the labels of a label map are called: by its header, by a table that was given, or by one that lies beside it.
+ * @brief What the labels of a label map are called: by its header, by a table that was given, or by
+ * one that lies beside it.
  */
 #ifndef BoneDecimate_Applications_LabelNames_h
 #define BoneDecimate_Applications_LabelNames_h
@@ -18,7 +19,8 @@
 
 namespace bonedecimate
 {
-/// The table of --label-names; empty without the option. @throws Failure(ExitCode::InputRejected) if it cannot be read.
+/// The table of --label-names; empty without the option. @throws Failure(ExitCode::InputRejected)
+/// if it cannot be read.
 LabelTable TableOfArguments(const SegmentArguments& arguments);
 
 struct LabelNames
@@ -42,7 +44,8 @@ struct LabelNames
 LabelNames FindLabelNames(
   const std::string& path, vtkFieldData* fields, const SegmentArguments& arguments);
 
-/// The name of a segment whose file names it so: that of the table if the file's says no more than its label.
+/// The name of a segment whose file names it so: that of the table if the file's says no more than
+/// its label.
 std::string NameOfSegment(
   std::int64_t label, const std::string& nameInFile, const LabelTable& table);
 }

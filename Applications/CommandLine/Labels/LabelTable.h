@@ -36,19 +36,21 @@ inline constexpr const char* LabelTableExtensions = ".json, .tsv, .csv, .ctbl, .
 LabelTable ReadLabelTable(const std::string& path);
 
 /**
- * The `labels` of nnU-Net's dataset.json: a number or a list of numbers for each name, or, as in its first version, a name
- * for each number. A file that has none is empty.
+ * The `labels` of nnU-Net's dataset.json: a number or a list of numbers for each name, or, as in
+ * its first version, a name for each number. A file that has none is empty.
  */
 LabelTable ReadLabelsOfJson(const std::string& text);
 
 /**
- *     index <tab> name                  with a heading, as BIDS has it; columns color (#rrggbb) or, of 3D Slicer's .csv, Color_R ...
+ *     index <tab> name                  with a heading, as BIDS has it; columns color (#rrggbb) or,
+ *                                       of 3D Slicer's .csv, Color_R ...
  *     1 255 0 0 1 1 1 "Left femur"      label descriptions of ITK-SNAP
  *     1 Left_femur 255 0 0 255          color tables of 3D Slicer and FreeSurfer
  */
 LabelTable ReadLabelsOfText(const std::string& text);
 
-/// The table in the header of a NIfTI file, as TotalSegmentator and Connectome Workbench write it; of any other file an empty one.
+/// The table in the header of a NIfTI file, as TotalSegmentator and Connectome Workbench write it;
+/// of any other file an empty one.
 LabelTable ReadLabelsOfHeader(const std::string& path);
 
 /// Sorts the labels. A label that has two names is a problem.

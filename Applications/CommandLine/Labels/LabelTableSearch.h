@@ -27,11 +27,13 @@ struct FoundTable
  *     a *_dseg.tsv whose words between underscores are all in NAME, and dseg.tsv
  *     dataset.json; of a map in a folder labels... that of the folder around it, too
  *
- * Two tables of one step that contradict each other are not taken, nor is a damaged one; the warning says so.
+ * Two tables of one step that contradict each other are not taken, nor is a damaged one; the
+ * warning says so.
  */
 FoundTable FindTableBeside(const std::string& labelMap);
 
-/// "label 3 is 'femur' in a.tsv and 'tibia' in b.ctbl"; empty if no label has two names. Case and underscores do not matter.
+/// "label 3 is 'femur' in a.tsv and 'tibia' in b.ctbl"; empty if no label has two names. Case and
+/// underscores do not matter.
 std::string ContradictionOf(const std::vector<NamedLabel>& a, const std::string& nameOfA,
   const std::vector<NamedLabel>& b, const std::string& nameOfB);
 

@@ -185,7 +185,8 @@ private:
     return *command.get_option_no_throw("--" + item.name);
   }
 
-  /// Lists are one value with commas, repeated options one value each. TOML's booleans are on and off.
+  /// Lists are one value with commas, repeated options one value each. TOML's booleans are on and
+  /// off.
   static std::vector<std::string> ValuesOf(const CLI::ConfigItem& item, const CLI::Option& option)
   {
     std::vector<std::string> values = item.inputs;

@@ -12,7 +12,8 @@
  *     [profiles.hip.levels]         # the same for another command
  *     max-error = 0.5
  *
- * Keys are the flags of options without dashes; switches are true or false; repeated options and lists are arrays.
+ * Keys are the flags of options without dashes; switches are true or false; repeated options and
+ * lists are arrays.
  */
 #ifndef BoneDecimate_Applications_ConfigurationFile_h
 #define BoneDecimate_Applications_ConfigurationFile_h

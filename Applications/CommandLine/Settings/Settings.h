@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Settings.h
- * @brief --profile and --config: options that are not typed. They become words of the command line before it is parsed.
+ * @brief --profile and --config: options that are not typed. They become words of the command line
+ * before it is parsed.
  */
 #ifndef BoneDecimate_Applications_Settings_h
 #define BoneDecimate_Applications_Settings_h
@@ -28,8 +29,9 @@ struct SettledWords
 };
 
 /**
- * The words with the options of the profile and of the file that they name. What the command line sets, in this or another
- * way (AlternativesTo()), stays; the profile takes precedence over the rest of the file.
+ * The words with the options of the profile and of the file that they name. What the command line
+ * sets, in this or another way (AlternativesTo()), stays; the profile takes precedence over the
+ * rest of the file.
  * @param words With the name of the command first.
  * @throws Failure(ExitCode::Usage)
  */

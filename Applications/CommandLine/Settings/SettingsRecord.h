@@ -19,8 +19,8 @@ struct SettingsRecord
   std::string Profile; ///< Its name; empty: none.
   std::string File;    ///< The base name of the configuration file; empty: none.
   std::map<std::string, std::string> Options; ///< That were added: flag without dashes and value.
-  std::vector<std::string>
-    Overridden; ///< Flags that the command line sets itself, in this or in another way.
+  /// Flags that the command line sets itself, in this or in another way.
+  std::vector<std::string> Overridden;
 
   bool IsEmpty() const { return this->Profile.empty() && this->File.empty(); }
 };

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CommandTree.h
- * @brief The commands and options of the program as plain data, for whatever describes them: completions of shells, the manual page.
+ * @brief The commands and options of the program as plain data, for whatever describes them:
+ * completions of shells, the manual page.
  */
 #ifndef BoneDecimate_Applications_CommandTree_h
 #define BoneDecimate_Applications_CommandTree_h
@@ -20,8 +21,8 @@ struct OptionEntry
   std::vector<std::string> Flags;   ///< With dashes; of positional files empty.
   std::string ValueName;            ///< As in the help: "MM|auto"; empty: a switch.
   std::vector<std::string> Choices; ///< Words that the value can be; there may be other values.
-  std::optional<std::vector<std::string>>
-    Extensions;     ///< If the value is a file: see ExtensionsOfValue().
+  /// If the value is a file: see ExtensionsOfValue().
+  std::optional<std::vector<std::string>> Extensions;
   std::string Help; ///< In one line.
   bool IsRepeatable = false;
 

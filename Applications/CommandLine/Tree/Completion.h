@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Completion.h
- * @brief Scripts that make shells complete commands, options, their choices and the files that each takes.
+ * @brief Scripts that make shells complete commands, options, their choices and the files that each
+ * takes.
  */
 #ifndef BoneDecimate_Applications_Completion_h
 #define BoneDecimate_Applications_Completion_h

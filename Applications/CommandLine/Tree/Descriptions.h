@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Descriptions.h
- * @brief Options that print what describes the program: completions, manual page, tables of the documentation.
+ * @brief Options that print what describes the program: completions, manual page, tables of the
+ * documentation.
  */
 #ifndef BoneDecimate_Applications_Descriptions_h
 #define BoneDecimate_Applications_Descriptions_h

@@ -14,7 +14,8 @@
 namespace bonedecimate
 {
 /**
- * The extensions of the files that a value of this name is, without dots; empty: files of any name. Folders are always possible.
+ * The extensions of the files that a value of this name is, without dots; empty: files of any name.
+ * Folders are always possible.
  * @param valueName As in the help: "SURFACE", "JSON", "FILES".
  * @return Nothing if the value is no file.
  */

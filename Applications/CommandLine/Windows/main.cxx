@@ -6,7 +6,8 @@
 
 namespace
 {
-/// The console takes what is written for UTF-8, like the program's names and messages, and afterwards for what it did before.
+/// The console takes what is written for UTF-8, like the program's names and messages, and
+/// afterwards for what it did before.
 class Utf8Console
 {
 public:

@@ -4,8 +4,9 @@
  * @class   vtkPVBoneDecimate
  * @brief   vtkPBoneDecimate as a panel sets it
  *
- * A panel sets every property, those at their default, too. For vtkBoneDecimate a reduction that was set counts beside every
- * other stop, and its default steps back: here a reduction that equals the default was not set.
+ * A panel sets every property, those at their default, too. For vtkBoneDecimate a reduction that
+ * was set counts beside every other stop, and its default steps back: here a reduction that equals
+ * the default was not set.
  */
 #ifndef vtkPVBoneDecimate_h
 #define vtkPVBoneDecimate_h
@@ -21,7 +22,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Fraction of the triangles to remove, 0 to 1. The default of TargetReduction is as if nothing was set.
+   * Fraction of the triangles to remove, 0 to 1. The default of TargetReduction is as if nothing
+   * was set.
    */
   void SetTargetReductionUnlessDefault(double fraction);
 

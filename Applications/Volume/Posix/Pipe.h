@@ -13,7 +13,8 @@
 
 namespace bonedecimate::volume
 {
-/// Called several times a second while Receive() waits; what it throws ends the waiting. Null: nothing is called.
+/// Called several times a second while Receive() waits; what it throws ends the waiting. Null:
+/// nothing is called.
 void SetCheckWhileWaiting(void (*check)());
 void CheckWhileWaiting();
 

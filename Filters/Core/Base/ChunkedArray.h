@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ChunkedArray.h
- * @brief A list of millions of records that grows without copies: a vector needs three times its memory while it grows.
+ * @brief A list of millions of records that grows without copies: a vector needs three times its
+ * memory while it grows.
  */
 #ifndef BoneDecimate_Core_Base_ChunkedArray_h
 #define BoneDecimate_Core_Base_ChunkedArray_h

@@ -13,8 +13,8 @@
 namespace bonedecimate
 {
 /**
- * Called on the calling thread with the fraction done, 0 to 1, never decreasing, at least at every 1 %.
- * Returns true to continue, false to abort: the run then ends with a valid surface.
+ * Called on the calling thread with the fraction done, 0 to 1, never decreasing, at least at every
+ * 1 %. Returns true to continue, false to abort: the run then ends with a valid surface.
  */
 using Monitor = std::function<bool(double fraction)>;
 

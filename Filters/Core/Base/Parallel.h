@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Parallel.h
- * @brief Distributes independent chunks of work over threads. The chunks do not depend on the number of threads.
+ * @brief Distributes independent chunks of work over threads. The chunks do not depend on the
+ * number of threads.
  */
 #ifndef BoneDecimate_Core_Base_Parallel_h
 #define BoneDecimate_Core_Base_Parallel_h
@@ -25,7 +26,8 @@ constexpr bool HasThreads = false;
 constexpr bool HasThreads = true;
 #endif
 
-/// @param requested 0: one per processor. Where the platform has no threads, 1 whatever is requested.
+/// @param requested 0: one per processor. Where the platform has no threads, 1 whatever is
+///   requested.
 inline unsigned int ThreadsToUse(int requested)
 {
   if constexpr (!HasThreads)
@@ -37,8 +39,8 @@ inline unsigned int ThreadsToUse(int requested)
 }
 
 /**
- * Starts threads that call run(i), at most count of them. With too few threads or too little memory in the system there are
- * fewer, perhaps none: the others do the work.
+ * Starts threads that call run(i), at most count of them. With too few threads or too little memory
+ * in the system there are fewer, perhaps none: the others do the work.
  * @returns Whether there are count threads.
  */
 template <typename Run>
@@ -75,9 +77,9 @@ inline std::size_t NumberOfChunks(std::size_t count)
 }
 
 /**
- * Calls work(part) once for every part of [0, parts), unless the monitor aborts or a part throws (the first exception to
- * arrive is rethrown here). The calling thread also works, and only it calls the monitor.
- * Returns false after an abort.
+ * Calls work(part) once for every part of [0, parts), unless the monitor aborts or a part throws
+ * (the first exception to arrive is rethrown here). The calling thread also works, and only it
+ * calls the monitor. Returns false after an abort.
  */
 template <typename Work>
 bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const Work& work)
@@ -187,7 +189,8 @@ void ForEachId(std::size_t count, int threads, const Work& work)
     });
 }
 
-/// For each block the number of selected ids before it, and finally the number of all: offsets in the list of selected ids.
+/// For each block the number of selected ids before it, and finally the number of all: offsets in
+/// the list of selected ids.
 template <typename IsChosen>
 std::vector<std::size_t> StartsOfBlocks(std::size_t count, int threads, const IsChosen& isChosen)
 {

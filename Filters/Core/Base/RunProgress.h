@@ -20,7 +20,8 @@ public:
   {
   }
 
-  /// A monitor for one stage, whose progress 0 to 1 maps to from-to. After an abort it always returns false.
+  /// A monitor for one stage, whose progress 0 to 1 maps to from-to. After an abort it always
+  /// returns false.
   Monitor Stage(double from, double to)
   {
     return [this, from, to](double fraction)

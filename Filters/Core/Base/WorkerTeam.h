@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WorkerTeam.h
- * @brief Threads that wait between short tasks. ForEachPart of Parallel.h starts its threads anew each time.
+ * @brief Threads that wait between short tasks. ForEachPart of Parallel.h starts its threads anew
+ * each time.
  */
 #ifndef BoneDecimate_Core_Base_WorkerTeam_h
 #define BoneDecimate_Core_Base_WorkerTeam_h
@@ -42,8 +43,8 @@ public:
   WorkerTeam(const WorkerTeam&) = delete;
   WorkerTeam& operator=(const WorkerTeam&) = delete;
 
-  /// Calls work(part) once for each part of [0, parts); returns when all are done. If a part throws, the others may not be
-  /// called, and an exception is rethrown here.
+  /// Calls work(part) once for each part of [0, parts); returns when all are done. If a part
+  /// throws, the others may not be called, and an exception is rethrown here.
   void Run(std::size_t parts, const Work& work)
   {
     this->Begin(parts, work);

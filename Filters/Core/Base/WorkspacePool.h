@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WorkspacePool.h
- * @brief Lends workspaces to workers. A workspace that was returned is lent again, because its memory is in proportion to the
+ * @brief Lends workspaces to workers. A workspace that was returned is lent again, because its
+ * memory is in proportion to the
  *        mesh.
  */
 #ifndef BoneDecimate_Core_Base_WorkspacePool_h
@@ -19,7 +20,8 @@ template <typename Workspace>
 class WorkspacePool
 {
 public:
-  /// For one worker; returns to the pool when it is released, which must be before the pool is destroyed.
+  /// For one worker; returns to the pool when it is released, which must be before the pool is
+  /// destroyed.
   /// @param make Returns a std::unique_ptr to a new workspace.  Any thread may call this.
   template <typename Make>
   std::shared_ptr<Workspace> Borrow(const Make& make)

@@ -17,8 +17,8 @@ enum class BoundaryPresence : int;
 /// Distances of one surface to another, mm.
 struct DistanceStatistics
 {
-  double Maximum =
-    0.0;               ///< Over all points and all area samples: a lower bound of the true maximum.
+  /// Over all points and all area samples: a lower bound of the true maximum.
+  double Maximum = 0.0;
   double Second = 0.0; ///< Second largest over the points alone, as in the tables of the thesis.
   double Mean = 0.0;   ///< Over the area samples.
   double RootMeanSquare = 0.0; ///< Over the area samples.
@@ -46,8 +46,8 @@ struct ErrorProof
   ProvedDistance OutputToInput;
   /// Boundaries after merging points of equal coordinates; not compared without MergePoints.
   bool BoundariesCompared = false;
-  BoundaryPresence
-    Boundaries{}; ///< If only one surface has boundaries, their distance is infinite.
+  /// If only one surface has boundaries, their distance is infinite.
+  BoundaryPresence Boundaries{};
   ProvedDistance BoundaryInputToOutput;
   ProvedDistance BoundaryOutputToInput;
 

@@ -62,7 +62,8 @@ struct RegionFigures
   std::int64_t Kept = 0;      ///< Regions whose results were kept from earlier runs.
 };
 
-/// Collapses that keep the error only together with moves around them (Decimate/Stages/ForcedCollapse.h).
+/// Collapses that keep the error only together with moves around them
+/// (Decimate/Stages/ForcedCollapse.h).
 struct ForcedCollapseFigures
 {
   std::int64_t Tried = 0; ///< On a copy of their neighborhood.

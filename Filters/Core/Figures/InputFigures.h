@@ -40,8 +40,8 @@ struct CleaningStatistics
   std::int64_t FirstBadEdgeLength = -1;
   /// After merging: points that rounding to single precision moves farther than allowed.
   std::int64_t CoarsePoints = 0;
-  std::int64_t MeetingPoints =
-    0; ///< Points of the result at the same position as another one in single precision.
+  /// Points of the result at the same position as another one in single precision.
+  std::int64_t MeetingPoints = 0;
   std::int64_t FirstCoarsePoint = -1;
   double MaxRounding = 0.0;           ///< mm, of those points.
   std::int64_t ConstrainedPoints = 0; ///< Points, after merging, whose tolerance is 0.

@@ -34,21 +34,21 @@ struct ShapeStatistics
 struct AngleFigures
 {
   std::int64_t Below = 0;
-  Vector3 Worst =
-    Vector3::Zero(); ///< mm, the centroid of the one with the smallest angle, if there is one.
+  /// mm, the centroid of the one with the smallest angle, if there is one.
+  Vector3 Worst = Vector3::Zero();
 };
 
 /// Edges of the result against EdgeLength, or what is less at their ends.
 struct EdgeFigures
 {
-  double MinRequested =
-    std::numeric_limits<double>::quiet_NaN(); ///< mm, of all local lengths, or EdgeLength.
+  /// mm, of all local lengths, or EdgeLength.
+  double MinRequested = std::numeric_limits<double>::quiet_NaN();
   double Mean = std::numeric_limits<double>::quiet_NaN();    ///< mm; not a number if there is none.
   double Longest = std::numeric_limits<double>::quiet_NaN(); ///< mm
   std::int64_t Longer = 0;                                   ///< Than 4/3 of it.
   std::int64_t Shorter = 0;                                  ///< Than 4/5 of it.
-  Vector3 Worst =
-    Vector3::Zero(); ///< mm, the middle of the one that exceeds its length most, if one is longer.
+  /// mm, the middle of the one that exceeds its length most, if one is longer.
+  Vector3 Worst = Vector3::Zero();
 };
 }
 

@@ -37,8 +37,8 @@ struct SmoothingFigures
   double VolumeBefore = 0.0; ///< mm^3, of all closed components.
   double VolumeAfter = 0.0;
   std::int64_t SharpPoints = 0; ///< On edges that were kept because of FeatureAngle.
-  std::int64_t LimitedPoints =
-    0; ///< Whose bound was lowered, because triangles would intersect or turn over.
+  /// Whose bound was lowered, because triangles would intersect or turn over.
+  std::int64_t LimitedPoints = 0;
   std::int64_t Rounds = 0; ///< Rounds of lowering bounds.
 
   bool HasRun() const { return this->Bound > 0.0; }

@@ -30,9 +30,9 @@ constexpr std::size_t NumberOfTunnelObstacles = 5;
 
 struct ClosedTunnel
 {
-  double Diameter =
-    0.0;               ///< mm, of a circle as long as the shortest closed loop of edges around it.
-  double Volume = 0.0; ///< mm^3, of the plug.
+  /// mm, of a circle as long as the shortest closed loop of edges around it.
+  double Diameter = 0.0;
+  double Volume = 0.0;              ///< mm^3, of the plug.
   Vector3 Center = Vector3::Zero(); ///< mm, mean of the points of the loop.
 };
 
@@ -41,10 +41,10 @@ struct TunnelFigures
   bool IsRequested = false;     ///< If false, all other members are meaningless.
   std::int64_t GenusBefore = 0; ///< Number of handles; open boundaries count as closed.
   std::int64_t GenusAfter = 0;
-  std::array<std::int64_t, NumberOfTunnelObstacles>
-    Left{}; ///< By TunnelObstacle; [NoObstacle] is always 0.
-  double Distance =
-    0.0; ///< mm, upper bound of the distance between input and closed surface, both directions.
+  /// By TunnelObstacle; [NoObstacle] is always 0.
+  std::array<std::int64_t, NumberOfTunnelObstacles> Left{};
+  /// mm, upper bound of the distance between input and closed surface, both directions.
+  double Distance = 0.0;
   std::vector<ClosedTunnel> Closed; ///< In the order in which they were closed.
 
   std::int64_t NumberLeft() const

@@ -86,8 +86,8 @@ private:
     std::size_t Round = 0;   // later than that of all clipped neighbors
     bool IsClipped = false;
     bool IsConvex = false;
-    std::vector<std::size_t>
-      Waiting = {}; // corners that are no ears because this one is in their triangle
+    // corners that are no ears because this one is in their triangle
+    std::vector<std::size_t> Waiting = {};
   };
 
   const Vector3& PointOf(Index corner) const

@@ -54,8 +54,8 @@ struct LevelMark
 {
   Index Collapses = 0;
   Index Triangles = 0;
-  double Largest =
-    std::numeric_limits<double>::quiet_NaN(); ///< mm, the larger direction; NaN: not measured.
+  /// mm, the larger direction; NaN: not measured.
+  double Largest = std::numeric_limits<double>::quiet_NaN();
   double Mean = std::numeric_limits<double>::quiet_NaN(); ///< mm, the larger direction.
 };
 

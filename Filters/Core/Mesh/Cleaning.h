@@ -36,8 +36,8 @@ struct CleanSurface
   std::vector<Index> InputPoint; ///< For each point the least input point with these coordinates.
   std::vector<Index> InputPointCount; ///< For each point the number of input points merged into it.
   std::vector<Index> InputTriangle;   ///< For each triangle its input triangle.
-  std::vector<Index>
-    PointOfInput;           ///< For each input point its point here; None if no triangle uses it.
+  /// For each input point its point here; None if no triangle uses it.
+  std::vector<Index> PointOfInput;
   PatchMap ManifoldPatches; ///< Empty until it is split.
 };
 

@@ -325,8 +325,8 @@ void EdgeMatching::FindRing(Index point, Rings& rings) const
     worst = std::min({ worst, this->TwinOf[h], this->TwinOf[HalfEdgeMesh::Previous(h)] });
   }
   const Index start = alone == None ? least : alone;
-  Index found =
-    0; // terminates: twins are paired one to one, so a ring ends or returns to its start
+  // terminates: twins are paired one to one, so a ring ends or returns to its start
+  Index found = 0;
   for (Index h = start; h >= 0;)
   {
     ++found;

@@ -32,8 +32,8 @@ struct Edit
 {
   HalfEdgeId Edge; ///< The half-edge to collapse, flip or split.
   VertexId Keep;   ///< The end whose id is kept, or the vertex that moves or is made.
-  Vector3 Position =
-    Vector3::Zero();      ///< Where the merged, moved or new vertex is, mm from the local origin.
+  /// Where the merged, moved or new vertex is, mm from the local origin.
+  Vector3 Position = Vector3::Zero();
   bool KeepStays = false; ///< Whether Position is that of Keep, bit for bit.
   EditKind Kind = EditKind::Collapse;
   std::array<FaceId, 2> Made = {}; ///< The faces that a split makes; the second None on a boundary.

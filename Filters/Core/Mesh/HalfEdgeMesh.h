@@ -53,8 +53,8 @@ struct PatchMap
 /// planes pass through the vertex.
 struct RingQuadric
 {
-  std::array<float, 6>
-    M; ///< xx xy xz yy yz zz of the sum of 2 A n n^T, squares of the mesh's unit.
+  /// xx xy xz yy yz zz of the sum of 2 A n n^T, squares of the mesh's unit.
+  std::array<float, 6> M;
   std::array<float, 3> G; ///< Sum of 2 A n, squares of the mesh's unit.
 };
 
@@ -237,8 +237,8 @@ private:
   };
   void Save(FaceId face, Saved& saved) const;
   void Restore(const Saved& saved);
-  /// To undo a collapse: the corners of each of its faces, then the twins of the removed ones. A removed face keeps its first
-  /// normal.
+  /// To undo a collapse: the corners of each of its faces, then the twins of the removed ones. A
+  /// removed face keeps its first normal.
   void RestoreCorners(FaceId face, const Triangle& corners)
   {
     std::copy(corners.begin(), corners.end(), this->Faces[face].Origins.begin());

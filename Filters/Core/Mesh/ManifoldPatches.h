@@ -9,8 +9,9 @@
  *         every fan of triangles gets a duplicate of the point; all duplicates refer to one
  *           original vertex and are stationary
  *
- * Duplicates are never moved or removed, so patches are joined by replacing each duplicate by its original vertex.
- * Decimate/Edit/PatchRules.h prevents two patches from getting further edges in common.
+ * Duplicates are never moved or removed, so patches are joined by replacing each duplicate by its
+ * original vertex. Decimate/Edit/PatchRules.h prevents two patches from getting further edges in
+ * common.
  *
  * A. Gueziec, G. Taubin, F. Lazarus, B. Horn, Cutting and stitching: converting sets of
  * polygons to manifold surfaces, 2001.
@@ -23,7 +24,8 @@
 
 namespace bonedecimate
 {
-/// Splits the surface and updates its maps. Duplicates are appended; each input point maps to the first of them.
+/// Splits the surface and updates its maps. Duplicates are appended; each input point maps to the
+/// first of them.
 /// @param edges Of its triangles.
 /// @return Whether anything was split: its edges then have to be matched again.
 bool SplitIntoManifoldPatches(CleanSurface& clean, const EdgeMatching& edges, const Rings& rings);

@@ -22,8 +22,8 @@ Vector3 RoundedToSingle(const Vector3& position);
 struct PointRounding
 {
   bool ToSingle = false;
-  double GridStep =
-    0.0; ///< mm; 0: no grid. A power of two is exact in any precision that has the bits.
+  /// mm; 0: no grid. A power of two is exact in any precision that has the bits.
+  double GridStep = 0.0;
 
   bool HasGrid() const { return this->GridStep > 0.0; }
   bool Rounds() const { return this->ToSingle || this->HasGrid(); }

@@ -24,8 +24,8 @@
 
 namespace bonedecimate
 {
-/// Sorts a good surface and updates its maps. The order does not depend on the number of threads. A surface that was split has to be
-/// sorted already, but for the duplicates at its end.
+/// Sorts a good surface and updates its maps. The order does not depend on the number of threads. A
+/// surface that was split has to be sorted already, but for the duplicates at its end.
 void SortAlongCurve(CleanSurface& clean, int threads = 1);
 
 /// For each point in the new order its old index.

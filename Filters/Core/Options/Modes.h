@@ -2,21 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Modes.h
- * @brief The table of modes. A mode is a row: its policies, its stages, their settings and what MaximumError means.
+ * @brief The table of modes. A mode is a row: its policies, its stages, their settings and what
+ * MaximumError means.
  *
- *     mode       cost                   placement           schedule       stages              MaximumError
- *     Thesis     NormalFieldDeviation   PlaneQuadric        VertexQueue    collapse            stops the run
- *     Fast       QuadricDeviation       VolumePreserving    BucketSweep    collapse            is proved
- *     Balanced   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is proved
- *     Accurate   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is proved
+ *     mode       cost                   placement           schedule       stages      MaximumError
+ *     Thesis     NormalFieldDeviation   PlaneQuadric        VertexQueue    collapse   stops the run
+ *     Fast       QuadricDeviation       VolumePreserving    BucketSweep    collapse       is proved
+ *     Balanced   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is
+ *       proved
+ *     Accurate   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is
+ *       proved
  *
- * NAME in the table refers to Cost/NAME.h, Placement/NAME.h and Schedule/NAME.h. The schedule determines the signatures of the
- * cost and placement functions. Balanced and Accurate differ in the settings of their stages. The refine stage improves the mesh by
- * flips and moves, collapses to the target, and improves it again. Without an error bound these collapses are ordered by
+ * NAME in the table refers to Cost/NAME.h, Placement/NAME.h and Schedule/NAME.h. The schedule
+ * determines the signatures of the cost and placement functions. Balanced and Accurate differ in
+ * the settings of their stages. The refine stage improves the mesh by flips and moves, collapses to
+ * the target, and improves it again. Without an error bound these collapses are ordered by
  * Decimate/Cost/SampledErrorCost.h.
  *
- * A new cost or placement is a function in a file of its own, named in a row. A new mode is an enumerator and a row of Modes.cxx.
- * Option, commands, messages, wrappers, tests and the page of the modes take the name, and what the mode does, from the row.
+ * A new cost or placement is a function in a file of its own, named in a row. A new mode is an
+ * enumerator and a row of Modes.cxx. Option, commands, messages, wrappers, tests and the page of
+ * the modes take the name, and what the mode does, from the row.
  */
 #ifndef BoneDecimate_Core_Options_Modes_h
 #define BoneDecimate_Core_Options_Modes_h
@@ -51,18 +56,21 @@ enum class Mode : int
   Accurate = 3  ///< As Balanced, with more collapses by sampled error and more sweeps.
 };
 
-/// Policies of VertexQueue, which collapses one edge at a time: at the vertex of lowest cost, its edge of lowest cost.
+/// Policies of VertexQueue, which collapses one edge at a time: at the vertex of lowest cost, its
+/// edge of lowest cost.
 struct QueuePolicies
 {
-  /// @param tolerance w of Decimate/Cost/NormalFieldDeviation.h.  @param meanEdgeLength mm, before the first edit.
+  /// @param tolerance w of Decimate/Cost/NormalFieldDeviation.h.  @param meanEdgeLength mm, before
+  ///   the first edit.
   std::unique_ptr<VertexCost> (*Cost)(
     const HalfEdgeMesh& mesh, const FaceAreas& areas, double tolerance, double meanEdgeLength);
   PositionCandidates (*Placement)(
     const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around);
 };
 
-/// Policies of BucketSweep, which collapses edges by buckets of their cost, in blocks of the mesh in parallel. Functions for which Decimate/Kernels/EdgeEvaluator.cxx
-/// knows no vector kernel are called for one edge after the other.
+/// Policies of BucketSweep, which collapses edges by buckets of their cost, in blocks of the mesh
+/// in parallel. Functions for which Decimate/Kernels/EdgeEvaluator.cxx knows no vector kernel are
+/// called for one edge after the other.
 struct SweepPolicies
 {
   float (*Cost)(const EdgeQuadric& quadric, const Float3& position, float accumulatedError,
@@ -73,8 +81,9 @@ struct SweepPolicies
 /// What MaximumError and the tolerances of points mean.
 enum class ErrorPolicy
 {
-  /// The run ends when the recorded distance of a new vertex reaches MaximumError and the number of triangles, if there is one, is
-  /// reached. Tolerances of 0 constrain points; positive ones are rejected.
+  /// The run ends when the recorded distance of a new vertex reaches MaximumError and the number of
+  /// triangles, if there is one, is reached. Tolerances of 0 constrain points; positive ones are
+  /// rejected.
   RunningStop,
   ProvedBound ///< Every edit is proved to keep both surfaces within the error and the tolerances.
 };
@@ -82,8 +91,8 @@ enum class ErrorPolicy
 /// Settings of Decimate/Schedule/BucketSweep.h.
 struct SweepSettings
 {
-  double SpikeWeight =
-    0.3; ///< Weight of Decimate/Cost/SpikePenalty.h: more gives a larger mean error and a smaller maximum.
+  /// Weight of Decimate/Cost/SpikePenalty.h: more gives a larger mean error and a smaller maximum.
+  double SpikeWeight = 0.3;
   /// Positions tried for a merged vertex where edits are proved, at most MaximumPositions of
   /// Decimate/Placement/AlternatePositions.h: more of them give fewer triangles and take longer.
   int PositionsTried = 4;
@@ -94,20 +103,21 @@ struct SweepSettings
 /// Settings of Decimate/Stages/RefineStage.h. The defaults are those of a mode without that stage.
 struct RefineSettings
 {
-  double ExtraOfTarget =
-    0.0; ///< The sweep before stops early by this ratio of the target number of faces,
+  /// The sweep before stops early by this ratio of the target number of faces,
+  double ExtraOfTarget = 0.0;
   double ExtraOfOriginal = 0.0; ///< but by no more than this ratio of the original number.
   int EdgesOfCollapse = 0;      ///< Edges evaluated for each of the last collapses.
   int SweepsBefore = 0;         ///< Sweeps of flips and moves before the last collapses.
   int SweepsAfter = 0;          ///< Sweeps after them,
   int SweepsIfFew = 0;          ///< or, where few triangles remain and sweeps cost little, so many.
-  int ProvedRounds =
-    0; ///< How often sweeps and collapses by slack alternate where edits are proved.
+  /// How often sweeps and collapses by slack alternate where edits are proved.
+  int ProvedRounds = 0;
   int ProvedSweeps = 0;      ///< Sweeps by slack in each of these rounds.
   int ForcedRounds = 0;      ///< Most rounds of collapses that need moves around them, and a sweep.
   int ProvedSweepsAfter = 0; ///< Sweeps of flips and moves after them.
-  double ShapeWeight =
-    0.0; ///< Weight in Decimate/Cost/SampledErrorCost.h, where nothing but a number of triangles ends the run.
+  /// Weight in Decimate/Cost/SampledErrorCost.h, where nothing but a number of triangles ends the
+  /// run.
+  double ShapeWeight = 0.0;
   int VoxelRounds = 0; ///< How often sweeps and collapses alternate where voxels alone limit edits.
 };
 
@@ -136,8 +146,8 @@ struct ModeInfo
   const char* Name;
   std::variant<QueuePolicies, SweepPolicies> Schedule;
   ErrorPolicy ErrorMeaning;
-  bool
-    RecordsDistances; ///< Whether the distance of every new vertex to the original is recorded along the collapses.
+  /// Whether the distance of every new vertex to the original is recorded along the collapses.
+  bool RecordsDistances;
   bool KeepsInitialMesh; ///< Whether stages need the mesh as it was before the first edit.
   SweepSettings Sweep;
   RefineSettings Refine;

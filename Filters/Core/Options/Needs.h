@@ -107,8 +107,8 @@ struct NeedInfo
   bonedecimate::Need Need;
   bool (*IsMet)(const Options& options);
   std::string Words; ///< "MaximumError or ErrorPreset"
-  std::vector<std::vector<PanelTerm>>
-    Panel; ///< One term of each list holds; empty where a panel cannot see it.
+  /// One term of each list holds; empty where a panel cannot see it.
+  std::vector<std::vector<PanelTerm>> Panel;
 };
 
 /// Every need that other options meet.

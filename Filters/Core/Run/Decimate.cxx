@@ -157,7 +157,8 @@ std::unique_ptr<Editor> MakeEditor(
   return editor;
 }
 
-/// w of Decimate/Cost/NormalFieldDeviation.h. The automatic one follows from the target number of faces, and needs one.
+/// w of Decimate/Cost/NormalFieldDeviation.h. The automatic one follows from the target number of
+/// faces, and needs one.
 double NormalToleranceOf(const Options& options, const StopTargets& stops, Index faces)
 {
   return options.AutomaticNormalTolerance && stops.Faces > 0
@@ -246,7 +247,8 @@ void ReportEdits(const RunTask& task, const PreparedInput& prepared, Editor& edi
   }
 }
 
-/// mm^3, of 27 voxels: of the grid, or of twice the bound where none is known. 0 unless a whole surface was smoothed.
+/// mm^3, of 27 voxels: of the grid, or of twice the bound where none is known. 0 unless a whole
+/// surface was smoothed.
 double MinPart(const RunTask& task, const SmoothingFigures& smoothing)
 {
   if (!smoothing.HasRun() || task.Inputs.Part != nullptr)
@@ -260,7 +262,8 @@ double MinPart(const RunTask& task, const SmoothingFigures& smoothing)
   return 27.0 * (source != nullptr ? source->Grid.Spacing.prod() : side * side * side);
 }
 
-/// Runs the stages, and what needs their mesh. False if the result cannot be written in the precision of its points.
+/// Runs the stages, and what needs their mesh. False if the result cannot be written in the
+/// precision of its points.
 bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progress, Result& result)
 {
   Report& report = result.Report;
@@ -310,7 +313,8 @@ void CheckVoxels(const RunTask& task, RunProgress& progress, Result& result)
   }
 }
 
-/// Called when the memory of the stages has been released, because the proof needs the two surfaces alone.
+/// Called when the memory of the stages has been released, because the proof needs the two surfaces
+/// alone.
 void Prove(const RunTask& task, PreparedInput& prepared, RunProgress& progress, Result& result)
 {
   if (EndsWithProof(task) && progress.GoesOn())

@@ -68,7 +68,8 @@ public:
 
   const ErrorTrial& Last() const { return this->Found.Trials.back(); }
 
-  /// Whether the last run was rejected because the input itself is farther from the reference than the largest error.
+  /// Whether the last run was rejected because the input itself is farther from the reference than
+  /// the largest error.
   bool IsFarFromReference() const { return this->Status == InputStatus::FarFromReference; }
 
 private:
@@ -143,8 +144,8 @@ ErrorSearchResult FindSmallestError(
   const Surface& input, const ErrorSearchOptions& options, const Monitor& monitor)
 {
   const std::int64_t mostTriangles = options.Run.TargetNumberOfTriangles;
-  ErrorSearchOptions withAnyError =
-    options; // its errors are found by the search, so a large one is no mistake of the caller
+  // its errors are found by the search, so a large one is no mistake of the caller
+  ErrorSearchOptions withAnyError = options;
   withAnyError.Run.AllowLargeError = true;
   Trials trials(input, withAnyError, monitor, false);
   double done = 0.5; // each run takes half of the remaining progress

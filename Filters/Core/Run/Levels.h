@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Levels.h
- * @brief Levels of detail: a run is recorded once, and each of its intermediate surfaces can be extracted quickly.
+ * @brief Levels of detail: a run is recorded once, and each of its intermediate surfaces can be
+ * extracted quickly.
  *
- *     Record:   Decimate with a log, Open, mark levels whose numbers of triangles differ by a factor of sqrt(2), measure
+ *     Record:   Decimate with a log, Open, mark levels whose numbers of triangles differ by a
+ *               factor of sqrt(2), measure
  *               their distance to the input
  *     Open:     clean and sort the input as the run did, replay the log once into a LevelStack
  *     At:       extract one level
  *     AtOn:     extract one level on a surface with the same triangles and other coordinates
  *
- * Level n is the input after the first n collapses of the log. Documentation/levels.md says when a run that stops after n
- * collapses has the same result.
+ * Level n is the input after the first n collapses of the log. Documentation/levels.md says when a
+ * run that stops after n collapses has the same result.
  */
 #ifndef BoneDecimate_Core_Run_Levels_h
 #define BoneDecimate_Core_Run_Levels_h
@@ -29,7 +31,8 @@ class Levels
 {
 public:
   /// @param input The same points and triangles as recorded.
-  /// @param inputs The label map and the labels with which the run was recorded; its other members are not used.
+  /// @param inputs The label map and the labels with which the run was recorded; its other members
+  ///   are not used.
   LogStatus Open(const Surface& input, EditLog log, int threads, const RunInputs& inputs = {});
   /// Whether Open() succeeded; all other functions need that.
   bool IsOpen() const { return this->Stack.has_value(); }
@@ -41,7 +44,8 @@ public:
 
   /// The first level with at most that many triangles; the last level if there is none.
   Index ByTriangles(Index triangles) const { return this->Stack->LevelOf(triangles); }
-  /// The coarsest mark whose distance to the input does not exceed that, mm; level 0 if there is none.
+  /// The coarsest mark whose distance to the input does not exceed that, mm; level 0 if there is
+  /// none.
   Index ByError(double error) const;
 
   /// The surface of a level.
@@ -51,18 +55,22 @@ public:
   }
   /// Labels on both sides of the triangles of At(); empty if the label map has none.
   std::vector<BoundaryLabels> BoundaryLabelsAt(Index collapses) const;
-  /// For each triangle of At() the input triangle of which it is what is left, and whose label it has.
+  /// For each triangle of At() the input triangle of which it is what is left, and whose label it
+  /// has.
   std::vector<Index> InputTrianglesAt(Index collapses) const;
-  /// The triangles of At() with points of another surface. Empty if its triangles are not those of the input, or its points
-  /// are not usable (Surface.h).
+  /// The triangles of At() with points of another surface. Empty if its triangles are not those of
+  /// the input, or its points are not usable (Surface.h).
   std::optional<Level> AtOn(const Surface& other, Index collapses) const;
 
-  /// Sets the marks and measures their distances. False after an abort: the distances are missing then.
+  /// Sets the marks and measures their distances. False after an abort: the distances are missing
+  /// then.
   bool Mark(bool measure, const Monitor& monitor);
 
-  /// Compares the voxels of each mark with those of the input, if the grid is known. False after an abort.
+  /// Compares the voxels of each mark with those of the input, if the grid is known. False after an
+  /// abort.
   bool CompareVoxels(const Surface& input, const Monitor& monitor);
-  /// How many voxels have another label at each mark than in the input; empty if they were not compared.
+  /// How many voxels have another label at each mark than in the input; empty if they were not
+  /// compared.
   const std::vector<std::int64_t>& ChangedVoxels() const { return this->Changed; }
 
   /// The log from which the levels are made.
@@ -78,8 +86,8 @@ private:
   std::vector<Triangle> Triangles;  // of the cleaned input
   std::vector<Index> InputPoint;    // of each vertex
   std::vector<Index> InputTriangle; // of each triangle of the cleaned input
-  std::vector<Index>
-    OriginalVertices; // for each vertex, see ManifoldPatches.h; empty: nothing was split
+  // for each vertex, see ManifoldPatches.h; empty: nothing was split
+  std::vector<Index> OriginalVertices;
   LabelMapSource Map; // with the pairs of labels of the cleaned input's triangles
   std::vector<BoundaryLabels> InputPairs; // of the input's triangles
   std::vector<std::int64_t> Changed;
@@ -89,12 +97,13 @@ private:
 };
 
 /**
- * Runs Decimate() and records its levels; both are empty if the input is rejected. Nothing is pruned, and nothing rounded to
- * a grid.
- * @param inputs Curves between labels, and between pairs of labels of a label map, do not change, because a log has no edits of
- * them. Without a part. The distances of marks are those to the input, also with a reference.
- * @param levels Receives the levels and marks; with MeasureDistances the distances of the marks are measured, with a voxel grid
- * their voxels are compared.
+ * Runs Decimate() and records its levels; both are empty if the input is rejected. Nothing is
+ * pruned, and nothing rounded to a grid.
+ * @param inputs Curves between labels, and between pairs of labels of a label map, do not change,
+ * because a log has no edits of them. Without a part. The distances of marks are those to the
+ * input, also with a reference.
+ * @param levels Receives the levels and marks; with MeasureDistances the distances of the marks are
+ * measured, with a voxel grid their voxels are compared.
  * @return The result of Decimate().
  */
 Result RecordLevels(const Surface& input, const Options& options, const Monitor& monitor,

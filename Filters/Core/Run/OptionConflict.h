@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OptionConflict.h
- * @brief Steps before a run, such as welding and closing tunnels, do not go with every kind of run (Options/RunKinds.h).
+ * @brief Steps before a run, such as welding and closing tunnels, do not go with every kind of run
+ * (Options/RunKinds.h).
  */
 #ifndef BoneDecimate_Core_Run_OptionConflict_h
 #define BoneDecimate_Core_Run_OptionConflict_h

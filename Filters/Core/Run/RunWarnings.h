@@ -15,7 +15,8 @@
 
 namespace bonedecimate
 {
-/// WeldSentences(), InputWarnings() and SurfaceHints(), a sentence each. @param input Before welding and cleaning.
+/// WeldSentences(), InputWarnings() and SurfaceHints(), a sentence each. @param input Before
+/// welding and cleaning.
 std::vector<std::string> RunWarnings(const Surface& input, const Report& report, int threads = 0);
 }
 

@@ -45,8 +45,8 @@ std::vector<double> LimitsOf(
   return limits;
 }
 
-/// What is known of the segmentation, of the points and triangles of the cleaned surface. Labels of triangles are kept if
-/// there are any.
+/// What is known of the segmentation, of the points and triangles of the cleaned surface. Labels of
+/// triangles are kept if there are any.
 LabelMapSource SourceOf(const RunTask& task, const CleanSurface& clean)
 {
   LabelMapSource source;

@@ -238,8 +238,8 @@ private:
   CleaningStatistics Cleaning; // of the input
   TunnelFigures Figures;
   Surface Closed;
-  std::vector<Index>
-    Ids; // of its triangles in the input; of a plug one that it replaces. Empty: none was closed
+  // of its triangles in the input; of a plug one that it replaces. Empty: none was closed
+  std::vector<Index> Ids;
   std::size_t FirstPlug = 0; // of its triangles
   Labels ClosedLabels;
 };

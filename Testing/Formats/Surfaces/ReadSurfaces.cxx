@@ -5,7 +5,8 @@
  * @brief Reads surfaces as the program does, many in one process.
  *
  *     standard input:   a path a line
- *     standard output:  a line of JSON for each: points, cells, arrays and warnings, or why the file was rejected
+ *     standard output:  a line of JSON for each: points, cells, arrays and warnings, or why the
+ *                       file was rejected
  */
 #include "ExitCode.h"
 #include "SurfaceFiles.h"

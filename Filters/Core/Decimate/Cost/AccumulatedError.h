@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AccumulatedError.h
- * @brief How far a collapse leaves the surface behind, with what earlier collapses left behind, both ways.
+ * @brief How far a collapse leaves the surface behind, with what earlier collapses left behind,
+ * both ways.
  *
  *     D = max( Dv + d(v, new), Dw + d(w, new), max(Dv, Dw) + d(x, old) )
  *
- * v and w are the ends of the edge with their accumulated errors Dv and Dw, x is the merged vertex, old the triangles at
- * both ends before the collapse, new those at x after it, d the distance of a point to the nearest of them. D is an
- * estimate along the collapses, not a bound of the distance to the original.
+ * v and w are the ends of the edge with their accumulated errors Dv and Dw, x is the merged vertex,
+ * old the triangles at both ends before the collapse, new those at x after it, d the distance of a
+ * point to the nearest of them. D is an estimate along the collapses, not a bound of the distance
+ * to the original.
  *
  * This is the scalar reference of Kernels::LeaveBehind, which gives the same bits.
  */

@@ -2,26 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SampledErrorCost.h
- * @brief The cost of the last collapses of Balanced and Accurate, and what their flips and moves reduce: how distances in
+ * @brief The cost of the last collapses of Balanced and Accurate, and what their flips and moves
+ * reduce: how distances in
  *        both directions, measured at samples, add up to one error.
  *
  *     cost(collapse) = error of the triangles it changes after it - error before it
  *
  *     error = sum over samples   area f(d(sample, its face))  +  far(d, 8)
- *           + sum over vertices  back weight * area of ring / 3  f(d(vertex, original))  +  far(d, 5)
- *           + sum over faces     shape weight * mean area of a face * f(root mean square of the samples) / (q + 0.02)^2
- *           + sum over two points on each sharply folded edge  far(d(point, original), 8)       squares of the unit
+ *           + sum over vertices  back weight * area of ring / 3  f(d(vertex, original))  +  far(d,
+ *             5)
+ *           + sum over faces     shape weight * mean area of a face * f(root mean square of the
+ *                                samples) / (q + 0.02)^2
+ *           + sum over two points on each sharply folded edge  far(d(point, original), 8)
+ *             squares of the unit
  *     f(d) = (d / unit)^(3/2)          between the average (1) and the root mean square (2)
- *     far(d, k) = mean area of a face * f(T) * ((d / T)^2 - 1)^2  beyond T = k * root mean square of the samples, else 0
+ *     far(d, k) = mean area of a face * f(T) * ((d / T)^2 - 1)^2  beyond T = k * root mean square
+ *                                                                 of the samples, else 0
  *
- *     q of ShapePenalty.h: flips, moves and collapses that leave about the same distances go by the shapes
+ *     q of ShapePenalty.h: flips, moves and collapses that leave about the same distances go by the
+ *       shapes
  *
- * f measures typical distances. far measures outliers and is not weighted by area, because the tip of a spur has no area,
- * and neither has a chord across a notch in the rim of a thin plate, whose samples all lie on the plate. The fourth power
- * outweighs the other terms, but only for outliers, so average and root mean square hardly change.
+ * f measures typical distances. far measures outliers and is not weighted by area, because the tip
+ * of a spur has no area, and neither has a chord across a notch in the rim of a thin plate, whose
+ * samples all lie on the plate. The fourth power outweighs the other terms, but only for outliers,
+ * so average and root mean square hardly change.
  *
- * A fit of f is a fit of squares with weights w(d) = f'(d) / (2 d) that follow d (P. Holland and R. Welsch, Robust
- * regression using iteratively reweighted least-squares, 1977).
+ * A fit of f is a fit of squares with weights w(d) = f'(d) / (2 d) that follow d (P. Holland and R.
+ * Welsch, Robust regression using iteratively reweighted least-squares, 1977).
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_SampledErrorCost_h
 #define BoneDecimate_Core_Decimate_Cost_SampledErrorCost_h
@@ -35,7 +42,8 @@
 
 namespace bonedecimate
 {
-/// Weight of the distance from the current surface to the original: 0 lets spikes grow, 1 is too stiff.
+/// Weight of the distance from the current surface to the original: 0 lets spikes grow, 1 is too
+/// stiff.
 constexpr double BackWeight = 0.03;
 /// Stronger in collapses, which cannot be taken back.
 constexpr double BackWeightOfCollapse = 0.1;

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapePenalty.h
- * @brief What the shape of a triangle adds to its error: of edits that leave about the same distances, the one with the better
+ * @brief What the shape of a triangle adds to its error: of edits that leave about the same
+ * distances, the one with the better
  *        triangles is made.
  *
  *     penalty = weight r^2,   r = 1 / (q + 0.02),   q = 4 sqrt(3) area / sum of squared sides
  *
- * q is 1 for an equilateral triangle and 0 without area. 1 / q is convex in the corners for constant area, and the square is steep
- * where triangles are narrow: 20 times as much for q = 0.2 as for q = 1, 3 times as much for 0.55.
+ * q is 1 for an equilateral triangle and 0 without area. 1 / q is convex in the corners for
+ * constant area, and the square is steep where triangles are narrow: 20 times as much for q = 0.2
+ * as for q = 1, 3 times as much for 0.55.
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_ShapePenalty_h
 #define BoneDecimate_Core_Decimate_Cost_ShapePenalty_h
@@ -23,7 +25,8 @@ namespace bonedecimate
 class ShapePenalty
 {
 public:
-  /// What a corner gains by a step: along Pull, until that is outweighed by Stiffness times the step.
+  /// What a corner gains by a step: along Pull, until that is outweighed by Stiffness times the
+  /// step.
   struct Slope
   {
     Vector3 Pull;     // half of what the penalty falls by per mm

@@ -15,8 +15,9 @@
 
 namespace bonedecimate
 {
-/// Rejects edges with a constrained end, with two stationary ends, and interior edges of which neither end moves freely:
-/// their collapse would pinch the surface or move a vertex that must not move.
+/// Rejects edges with a constrained end, with two stationary ends, and interior edges of which
+/// neither end moves freely: their collapse would pinch the surface or move a vertex that must not
+/// move.
 Rejection CheckEnds(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 
 /// Link condition and the least size of fragments.
@@ -25,8 +26,9 @@ Rejection CheckTopology(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around
 /// Fills the fan's ring from the mesh: everything but the position.
 void FillFan(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan);
 
-/// Rejects faces without area, new slivers, and faces that turn by more than 78 degrees, or by more than 90 degrees from their
-/// original normal (HalfEdgeMesh::IsTurnedOver), so that small rotations cannot accumulate.
+/// Rejects faces without area, new slivers, and faces that turn by more than 78 degrees, or by more
+/// than 90 degrees from their original normal (HalfEdgeMesh::IsTurnedOver), so that small rotations
+/// cannot accumulate.
 /// @param fan Filled; its position and areas are set here.  @param volumeChange mm^3, returned.
 Rejection CheckPosition(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit,
   Fan& fan, double& volumeChange);

@@ -2,22 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Draft.h
- * @brief Collapses that are tested cheaply while they are made, and proved together: what an Editor keeps for them.
+ * @brief Collapses that are tested cheaply while they are made, and proved together: what an Editor
+ * keeps for them.
  *
- *     BeginDraft:   DraftFilter in place of the error bound and the intersection guard, and a journal; limits by the separation
+ *     BeginDraft:   DraftFilter in place of the error bound and the intersection guard, and a
+ *                   journal; limits by the separation
  *     edits
  *     EndDraft:     until nothing is rejected:
- *                       every face and every original is proved, with these limits       (BulkProof)
- *                       no pair of faces intersects or is too near                       (StateCheck)
- *                       closed fragments keep their volume                               (FragmentGuard)
- *                       components lie within the same others as before                  (Containment)
+ *                       every face and every original is proved, with these limits      (BulkProof)
+ *                       no pair of faces intersects or is too near                     (StateCheck)
+ *                       closed fragments keep their volume                          (FragmentGuard)
+ *                       components lie within the same others as before               (Containment)
  *                       what is rejected is undone, and all edits that depend on it
- *                   after four failures at a vertex, one more of the last edits there each time; after too many turns, the whole draft
+ *                   after four failures at a vertex, one more of the last edits there each time;
+ *                     after too many turns, the whole draft
  *                   coverage, gaps, quadrics and volumes are those of the edits that are left
  *
- * Nothing that the draft estimates enters a proof. The mesh before the draft is proved, so undoing ends. Each edit that is left passed
- * the rules, the fragments' and voxels' filters when it was made, and replaces the same faces as then (EditJournal.h). Why no
- * parts pass each other, though only the last mesh is looked at: Documentation/error-bound.md.
+ * Nothing that the draft estimates enters a proof. The mesh before the draft is proved, so undoing
+ * ends. Each edit that is left passed the rules, the fragments' and voxels' filters when it was
+ * made, and replaces the same faces as then (EditJournal.h). Why no parts pass each other, though
+ * only the last mesh is looked at: Documentation/error-bound.md.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_Draft_h
 #define BoneDecimate_Core_Decimate_Edit_Draft_h
@@ -46,14 +50,14 @@ struct Draft
 
   std::shared_ptr<EditJournal> Journal;
   ErrorLimits Limits; ///< Limits of the bound, but below half of the separation.
-  std::vector<std::vector<Index>>
-    Enclosing; ///< For each component, those that enclose it at first; only with a guard.
+  /// For each component, those that enclose it at first; only with a guard.
+  std::vector<std::vector<Index>> Enclosing;
   std::optional<StateCheck> State;    ///< Only with a guard.
   std::vector<std::uint8_t> Failures; ///< Number of rejected edits of each vertex.
-  std::vector<std::shared_ptr<EditFilter>>
-    ExactFilters; ///< Filters of the editor, while the draft has its own.
-  std::array<std::int64_t, NumberOfRejections>
-    Rejections{}; ///< Counts before the draft: its own rejections are not counted.
+  /// Filters of the editor, while the draft has its own.
+  std::vector<std::shared_ptr<EditFilter>> ExactFilters;
+  /// Counts before the draft: its own rejections are not counted.
+  std::array<std::int64_t, NumberOfRejections> Rejections{};
 };
 }
 

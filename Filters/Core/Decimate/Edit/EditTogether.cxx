@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What an Editor does to collapse an edge of a feature curve, which is one edge in several manifold patches.
+// What an Editor does to collapse an edge of a feature curve, which is one edge in several manifold
+// patches.
 #include "CollapseRules.h"
 #include "Editor.h"
 #include "PatchRules.h"
@@ -16,8 +17,8 @@ PatchBoundaries* Editor::FeatureCurves()
 }
 
 //------------------------------------------------------------------------------
-/// Nothing changes before all patches allow it. Their faces have no corner in common that moves or is removed, so that each is
-/// checked on its own.
+/// Nothing changes before all patches allow it. Their faces have no corner in common that moves or
+/// is removed, so that each is checked on its own.
 Rejection Editor::CheckTogether(const std::vector<Edit>& edits)
 {
   std::vector<const EdgeNeighborhood*> around;

@@ -87,9 +87,9 @@ void Editor::TakeSmoothedPositions(const std::vector<Vector3>& positions)
 }
 
 //------------------------------------------------------------------------------
-/// In order: an edit is rejected by the first one. What is checked quickly or rejects most comes first, voxels before an error bound
-/// that allows large edits, and the recorder of accepted edits last. Filters read the mesh before vertices are constrained by
-/// tolerances.
+/// In order: an edit is rejected by the first one. What is checked quickly or rejects most comes
+/// first, voxels before an error bound that allows large edits, and the recorder of accepted edits
+/// last. Filters read the mesh before vertices are constrained by tolerances.
 void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
 {
   const bool isAborted = monitor && !monitor(0.0);

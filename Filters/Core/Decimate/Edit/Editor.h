@@ -5,21 +5,24 @@
  * @brief The single mutation point: every change of the mesh is made here.
  *
  *     Collapse:           rules (CollapseRules.h)  ->  filters  ->  mesh  ->  filters commit
- *                         ->  areas, quadrics, origins, counts, hook                               (CollapseEdit.cxx)
- *     CollapseTogether:   the same for one edge of a feature curve in all patches there            (EditTogether.cxx)
- *     CollapseAndMove:    a collapse, moves and flips near it as one edit                            (CollapseAndMove.cxx)
+ *                         ->  areas, quadrics, origins, counts, hook             (CollapseEdit.cxx)
+ *     CollapseTogether:   the same for one edge of a feature curve in all patches there
+ *       (EditTogether.cxx)
+ *     CollapseAndMove:    a collapse, moves and flips near it as one edit     (CollapseAndMove.cxx)
  *     Flip, Move:         rules (FlipAndMoveRules.h)  ->  filters  ->  mesh  ->  filters commit
- *                         ->  hook                                                   (FlipEdit.cxx, MoveEdit.cxx)
- *     Split:              the same with SplitRules.h; the new vertex and faces take ids of removed ones
- *                         ->  areas, origins, counts, hook                           (SplitEdit.cxx)
+ *                         ->  hook                                     (FlipEdit.cxx, MoveEdit.cxx)
+ *     Split:          the same with SplitRules.h; the new vertex and faces take ids of removed ones
+ *                         ->  areas, origins, counts, hook                          (SplitEdit.cxx)
  *
- * Filters (EditFilter.h): AddFilters has their order, EditorSettings.h says which of them there are.
+ * Filters (EditFilter.h): AddFilters has their order, EditorSettings.h says which of them there
+ * are.
  *
- * The rules of a kind of edit are the same in every mode; EditorSettings.h says which bookkeeping is done. Flips and moves remove
- * nothing: they have rules of
- * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace each may apply edits at
- * the same time as long as their neighborhoods have no vertex in common, or check edits at the same time that one of them
- * applies afterwards. Settle adds their counts to those of the editor, in an order that does not depend on the threads.
+ * The rules of a kind of edit are the same in every mode; EditorSettings.h says which bookkeeping
+ * is done. Flips and moves remove nothing: they have rules of
+ * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace
+ * each may apply edits at the same time as long as their neighborhoods have no vertex in common, or
+ * check edits at the same time that one of them applies afterwards. Settle adds their counts to
+ * those of the editor, in an order that does not depend on the threads.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_Editor_h
 #define BoneDecimate_Core_Decimate_Edit_Editor_h
@@ -57,21 +60,22 @@ class Editor
 public:
   /// @param clean Must live as long as this.
   Editor(const CleanSurface& clean, const EditorSettings& settings);
-  /// @param mesh Made of the surface.  @param monitor If it requests a stop, error bound, guards, constraints and
+  /// @param mesh Made of the surface.  @param monitor If it requests a stop, error bound, guards,
+  ///   constraints and
   /// feature curves are not set up, and no edit may follow.
   Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
     const Monitor& monitor = {});
   Editor(CleanSurface&&, const EditorSettings&) = delete;
   ~Editor();
 
-  /// What the result is to be like: the mesh before the first edit, smoothed, or the reference; only with KeepsInitialMesh or
-  /// an error bound.
+  /// What the result is to be like: the mesh before the first edit, smoothed, or the reference;
+  /// only with KeepsInitialMesh or an error bound.
   const HalfEdgeMesh& InitialMesh() const
   {
     return this->Continued != nullptr ? this->Continued->Mesh : *this->First;
   }
-  /// The mesh that the error bound refers to: the one before the first edit, not smoothed, or the reference; only with an error
-  /// bound.
+  /// The mesh that the error bound refers to: the one before the first edit, not smoothed, or the
+  /// reference; only with an error bound.
   const HalfEdgeMesh& BoundedMesh() const
   {
     return this->Unsmoothed ? *this->Unsmoothed : this->InitialMesh();
@@ -92,7 +96,8 @@ public:
   /// How many vertices are constrained because of their own tolerance; duplicates count once.
   Index NumberOfConstrainedVertices() const { return this->ConstrainedVertices; }
   bool HasErrorBound() const { return this->Bound != nullptr; }
-  /// Whether an error bound or the voxels end the run, so that the final number of triangles is not known in advance.
+  /// Whether an error bound or the voxels end the run, so that the final number of triangles is not
+  /// known in advance.
   bool LimitsEdits() const { return this->HasErrorBound() || this->GuardsVoxels; }
   /// Whether a collapse was rejected because it could not be proved to keep the error bound.
   bool MetItsLimit() const
@@ -100,56 +105,63 @@ public:
     return this->RejectionCounts[static_cast<std::size_t>(Rejection::ErrorBound)] > 0;
   }
 
-  /// Gathers what lies around the edge and checks the rules of a collapse that do not depend on the position.
+  /// Gathers what lies around the edge and checks the rules of a collapse that do not depend on the
+  /// position.
   Decision Validate(HalfEdgeId edge);
   Decision Validate(HalfEdgeId edge, Workspace& work) const;
 
   /// What Validate gathered last; valid until the next edit is applied.
   const EdgeNeighborhood& Around() const { return this->Own.Around; }
 
-  /// Applies the collapse of the edge that was validated last if rules and filters accept it. Otherwise nothing changes;
-  /// rejections are counted.
+  /// Applies the collapse of the edge that was validated last if rules and filters accept it.
+  /// Otherwise nothing changes; rejections are counted.
   Decision Collapse(const Edit& edit);
   Decision Collapse(const Edit& edit, Workspace& work, int workers);
 
-  /// The two halves of Collapse: rules and filters, which change nothing but the workspace, and then the change. Several edits may be
-  /// checked at the same time if no vertex is an end of two of them, and applied one after the other: an accepted one if
-  /// no face within Reach has changed since, and StillAccepts.
+  /// The two halves of Collapse: rules and filters, which change nothing but the workspace, and
+  /// then the change. Several edits may be checked at the same time if no vertex is an end of two
+  /// of them, and applied one after the other: an accepted one if no face within Reach has changed
+  /// since, and StillAccepts.
   Decision CheckCollapse(const Edit& edit, Workspace& work, int workers) const;
   void ApplyCollapse(Workspace& work);
   /// mm, around the faces that the edit checked last changes.
   double Reach(const Workspace& work) const;
   bool StillAccepts(Workspace& work) const;
 
-  /// Collapses one edge of a feature curve in all manifold patches at it, onto the end that does not move: all or none. No
-  /// other worker may be active.
+  /// Collapses one edge of a feature curve in all manifold patches at it, onto the end that does
+  /// not move: all or none. No other worker may be active.
   Decision CollapseTogether(const std::vector<Edit>& edits);
 
-  /// Collapses an inside edge, moves vertices and flips edges near it, as one edit: all or nothing. The states between, which may exceed the
-  /// error bound, are never in the mesh, and no level of the log ends in them. No other worker may be active; counts are settled.
-  /// Quadrics are not updated.
+  /// Collapses an inside edge, moves vertices and flips edges near it, as one edit: all or nothing.
+  /// The states between, which may exceed the error bound, are never in the mesh, and no level of
+  /// the log ends in them. No other worker may be active; counts are settled. Quadrics are not
+  /// updated.
   Decision CollapseAndMove(const Edit& edit, const NearbyEdits& nearby, Workspace& work);
 
-  /// Replaces the edge by the other diagonal of its two faces if rules and filters accept it. Neither flips nor their
-  /// rejections are counted.
+  /// Replaces the edge by the other diagonal of its two faces if rules and filters accept it.
+  /// Neither flips nor their rejections are counted.
   Decision Flip(HalfEdgeId edge, Workspace& work, int workers);
 
-  /// Moves a vertex if rules and filters accept it; not counted either.  @param position mm from the local origin.
+  /// Moves a vertex if rules and filters accept it; not counted either.  @param position mm from
+  ///                                                                     the local origin.
   Decision Move(VertexId vertex, const Vector3& position, Workspace& work, int workers);
 
-  /// Edges may be split from now on; a later call makes ids of vertices and faces usable that were removed since. False where the
-  /// run is recorded: levels of a log have no more triangles than the level before.
+  /// Edges may be split from now on; a later call makes ids of vertices and faces usable that were
+  /// removed since. False where the run is recorded: levels of a log have no more triangles than
+  /// the level before.
   bool BeginSplits();
-  /// Puts a vertex on the edge if rules and filters accept it; not counted as a collapse. Rejection::Shape if no id of a removed vertex
-  /// is left: no result has more triangles than the input. No other worker may be active.
+  /// Puts a vertex on the edge if rules and filters accept it; not counted as a collapse.
+  /// Rejection::Shape if no id of a removed vertex is left: no result has more triangles than the
+  /// input. No other worker may be active.
   /// @param position mm from the local origin
   Decision Split(HalfEdgeId edge, const Vector3& position, Workspace& work);
   std::int64_t NumberOfSplits() const { return this->NumberOfSplitEdges; }
 
-  /// Collapses that follow are a draft until EndDraft or UndoDraft (Draft.h). False, and nothing changes, if there can be none
-  /// or there was one: an editor drafts once.
+  /// Collapses that follow are a draft until EndDraft or UndoDraft (Draft.h). False, and nothing
+  /// changes, if there can be none or there was one: an editor drafts once.
   bool BeginDraft(int threads);
-  /// Proves the draft and undoes what is not proved. False if the monitor requested a stop; then all of it is undone.
+  /// Proves the draft and undoes what is not proved. False if the monitor requested a stop; then
+  /// all of it is undone.
   bool EndDraft(int threads, const Monitor& monitor);
   /// Undoes all of it.
   void UndoDraft(int threads);
@@ -158,7 +170,8 @@ public:
   /// Feature curves between manifold patches; null if the settings do not allow their collapse.
   PatchBoundaries* FeatureCurves();
 
-  /// mm, the largest distance that the result may have from this vertex of the input; infinite without an error bound.
+  /// mm, the largest distance that the result may have from this vertex of the input; infinite
+  /// without an error bound.
   double LimitAt(VertexId vertex) const
   {
     return this->Bound ? this->Bound->LimitAt(vertex) : std::numeric_limits<double>::infinity();
@@ -172,20 +185,23 @@ public:
   /// Adds the counters of workers that were active at the same time, in their order.
   void Settle(std::vector<Tally>& tallies);
 
-  /// Once, after the last edit and only where edits are recorded; positions are in mm from the local origin.
+  /// Once, after the last edit and only where edits are recorded; positions are in mm from the
+  /// local origin.
   EditLog TakeLog() { return this->Recorder->Take(); }
   /// Before and after flips and moves, for the log.
   void BeginFlipsAndMoves();
   void EndFlipsAndMoves();
 
-  /// Before a pass of flips or moves, and after the last: measures the volumes of the fragments and distributes among blocks the
-  /// volume that each may still lose.
+  /// Before a pass of flips or moves, and after the last: measures the volumes of the fragments and
+  /// distributes among blocks the volume that each may still lose.
   void DistributeVolumeBudget() { this->Fragments->DistributeBudget(this->Half); }
 
-  /// Recomputes the quadrics of all vertex records. Needed after flips and moves, which do not update them.
+  /// Recomputes the quadrics of all vertex records. Needed after flips and moves, which do not
+  /// update them.
   void RenewQuadrics(int threads) { SumRingQuadrics(this->Half, threads); }
 
-  /// Called after every applied edit, and once for each patch by CollapseTogether; for invariant checks and logs.
+  /// Called after every applied edit, and once for each patch by CollapseTogether; for invariant
+  /// checks and logs.
   using Hook = std::function<void(const Editor&, const Edit&)>;
   void SetHook(Hook hook) { this->AfterEdit = std::move(hook); }
   /// While a hook is set, only one worker may be active.

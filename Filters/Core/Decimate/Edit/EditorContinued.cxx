@@ -26,7 +26,8 @@ std::vector<Index> Editor::CurrentVertices() const
 }
 
 //------------------------------------------------------------------------------
-/// Adds the corners of faces that may be what a triangle of the reference is near to, although this was not proved.
+/// Adds the corners of faces that may be what a triangle of the reference is near to, although this
+/// was not proved.
 /// @param constrained Of each vertex; empty: none.
 std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
 {

@@ -87,7 +87,8 @@ bool Editor::BeginDraft(int threads)
 }
 
 //------------------------------------------------------------------------------
-/// Where the mesh is not the original, what is near another part does not move at all: it may be anywhere within the bound.
+/// Where the mesh is not the original, what is near another part does not move at all: it may be
+/// anywhere within the bound.
 ErrorLimits Editor::LimitsOfDraft(bool isFirst, int threads) const
 {
   ErrorLimits limits = this->Bound->Limits();

@@ -4,8 +4,9 @@
  * @file FlipAndMoveRules.h
  * @brief The rules of flips and moves, which remove nothing.
  *
- * Constrained and stationary vertices never move. No corner of the two faces of a flipped edge is constrained, the
- * new edge must not exist yet. No triangle turns by more than CollapseRules.h allows, loses its area or becomes a worse needle.
+ * Constrained and stationary vertices never move. No corner of the two faces of a flipped edge is
+ * constrained, the new edge must not exist yet. No triangle turns by more than CollapseRules.h
+ * allows, loses its area or becomes a worse needle.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_FlipAndMoveRules_h
 #define BoneDecimate_Core_Decimate_Edit_FlipAndMoveRules_h

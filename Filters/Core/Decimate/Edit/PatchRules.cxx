@@ -36,7 +36,8 @@ bool IsOutOfRange(const HalfEdgeMesh& mesh, VertexId v, VertexRange range)
     IsAnyDuplicate(mesh, v, [&](Index duplicate) { return !range.Contains(duplicate); });
 }
 
-/// Whether an edge leads from a duplicate of a to a duplicate of b, or both are duplicates of one original vertex.
+/// Whether an edge leads from a duplicate of a to a duplicate of b, or both are duplicates of one
+/// original vertex.
 bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
 {
   const VertexId original = mesh.OriginalVertex(b);
@@ -44,8 +45,8 @@ bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
     IsAnyDuplicate(mesh, a,
       [&](Index duplicate)
       {
-        bool joined =
-          mesh.Constraint(duplicate) == VertexConstraint::NonManifold; // its ring cannot be walked
+        // its ring cannot be walked
+        bool joined = mesh.Constraint(duplicate) == VertexConstraint::NonManifold;
         for (HalfEdgeId h = joined ? HalfEdgeId() : mesh.Outgoing(duplicate), first = h;
              h != None && !joined;)
         {
@@ -74,8 +75,8 @@ bool LosesEar(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around)
   return isEar(around.Start) || isEar(around.End);
 }
 
-/// The merged vertex gets the edges of both ends: whether any of those of one is there already, between other duplicates or
-/// from the other end to another duplicate.
+/// The merged vertex gets the edges of both ends: whether any of those of one is there already,
+/// between other duplicates or from the other end to another duplicate.
 /// @param exempt An original vertex to which there is one that is removed; None: none.
 bool JoinsPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Index exempt)
 {
@@ -106,7 +107,8 @@ bool JoinsPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Inde
 //------------------------------------------------------------------------------
 Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexRange range)
 {
-  // Most edges are far from other patches; only stationary and constrained vertices have duplicates.
+  // Most edges are far from other patches; only stationary and constrained vertices have
+  // duplicates.
   const auto isAlone = [&](VertexId v) { return mesh.Constraint(v) <= VertexConstraint::Boundary; };
   if (isAlone(around.Start) && isAlone(around.End) &&
     std::all_of(around.Ring.begin(), around.Ring.end(), isAlone))
@@ -125,7 +127,8 @@ Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, 
 }
 
 //------------------------------------------------------------------------------
-/// A single face at the removed vertex, with two edges of the curve, is removed with it: its third edge joins the curve.
+/// A single face at the removed vertex, with two edges of the curve, is removed with it: its third
+/// edge joins the curve.
 Rejection CheckPatchBoundary(
   const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, VertexId gone)
 {

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RingQuadrics.h
- * @brief Keeps the quadrics of the vertex records equal to the sums over the triangles as they are now.
+ * @brief Keeps the quadrics of the vertex records equal to the sums over the triangles as they are
+ * now.
  *
- *     M_v = sum of 2 A n n^T,  G_v = sum of 2 A n           over the triangles at v, squares of the mesh's unit
+ *     M_v = sum of 2 A n n^T,  G_v = sum of 2 A n           over the triangles at v, squares of the
+ *                                                           mesh's unit
  *     M_v += 2 (|b|^2 I - b b^T)                            for each boundary edge b at v
  *
- * After a collapse only the difference is added, so that it costs the ring and not the rings of the ring.
+ * After a collapse only the difference is added, so that it costs the ring and not the rings of the
+ * ring.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_RingQuadrics_h
 #define BoneDecimate_Core_Decimate_Edit_RingQuadrics_h

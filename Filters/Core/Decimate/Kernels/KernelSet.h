@@ -4,10 +4,12 @@
  * @file KernelSet.h
  * @brief The kernels themselves; compiled once for each kind of processor, see Kernels.h.
  *
- *     EvaluateEdges    Decimate/Placement/EdgeQuadric.h, Decimate/Placement/VolumePreserving.h and Decimate/Cost/QuadricDeviation.h, eight edges at a time
+ *     EvaluateEdges    Decimate/Placement/EdgeQuadric.h, Decimate/Placement/VolumePreserving.h and
+ *                      Decimate/Cost/QuadricDeviation.h, eight edges at a time
  *     LeaveBehind      Decimate/Cost/AccumulatedError.h, four triangles at a time
  *
- * Those files have the formulas, their sources and a scalar reference, whose bits every set of kernels gives.
+ * Those files have the formulas, their sources and a scalar reference, whose bits every set of
+ * kernels gives.
  */
 #include "Decimate/Cost/QuadricDeviation.h"
 #include "Decimate/Placement/VolumePreserving.h"

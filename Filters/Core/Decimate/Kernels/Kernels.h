@@ -18,8 +18,8 @@
 
 namespace bonedecimate
 {
-/// Edges from one vertex to up to eight others. Plain arrays: kernels must not use inline functions of libraries, which
-/// would be compiled for one processor and linked for all.
+/// Edges from one vertex to up to eight others. Plain arrays: kernels must not use inline functions
+/// of libraries, which would be compiled for one processor and linked for all.
 struct EdgeBatch
 {
   static constexpr int Size = 8;
@@ -39,11 +39,12 @@ struct EdgeResults
   float Moves[3][EdgeBatch::Size]; ///< From First, units.
 };
 
-/// The triangles around the merged vertex before and after the collapse, mm, with Start as the origin.
+/// The triangles around the merged vertex before and after the collapse, mm, with Start as the
+/// origin.
 struct Fan
 {
-  double* Ring
-    [3] = {}; ///< Coordinates of Ring[0 .. Faces]; the first is repeated at the end if the ring closes.
+  /// Coordinates of Ring[0 .. Faces]; the first is repeated at the end if the ring closes.
+  double* Ring[3] = {};
   std::int64_t* AtEnd = {}; ///< -1 if the face is at End before the collapse, 0 if at Start.
   double* OldArea[3] = {};  ///< Twice the area vectors before, mm^2, filled by CheckFan.
   double* NewArea[3] = {};  ///< Twice the area vectors after, mm^2, filled by CheckFan.
@@ -76,16 +77,19 @@ struct Kernels
   const char* Name;
   void (*EvaluateEdges)(const EdgeBatch& batch, EdgeResults& results);
   void (*CheckFan)(Fan& fan, FanValidity& validity);
-  /// The accumulated error after the collapse, mm: the largest distance of either end to the new fan, plus that accumulated
-  /// at it, or of the new position to the old fan. Needs no other kernel first.
+  /// The accumulated error after the collapse, mm: the largest distance of either end to the new
+  /// fan, plus that accumulated at it, or of the new position to the old fan. Needs no other kernel
+  /// first.
   double (*LeaveBehind)(const Fan& fan, double atStart, double atEnd);
   /// The quadric of a vertex at the origin.  @param fan Only Ring is read.  @param perArea 1/mm^2
   RingQuadric (*SumPlanes)(const Fan& fan, double perArea);
   /// Adds new minus old planes to the quadrics of the ring, and returns the sum of the new ones.
-  /// @param ring The vertices of the fan's ring; fewer by one than Faces + 1 if it closes.  @param perArea 1/mm^2
+  /// @param ring The vertices of the fan's ring; fewer by one than Faces + 1 if it closes.  @param
+  ///   perArea 1/mm^2
   RingQuadric (*ExchangePlanes)(
     const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea);
-  /// Squared distances to points of the triangles that are nearest but for rounding, mm^2: too small by at most the rounding
+  /// Squared distances to points of the triangles that are nearest but for rounding, mm^2: too
+  /// small by at most the rounding
   /// of one subtraction.  @param squared Size for each batch.
   void (*ReachTriangles)(
     const TriangleBatch* batches, int count, const double* point, double* squared);
@@ -95,8 +99,8 @@ struct Kernels
 const Kernels& BestKernels();
 /// Selects a set, for tests and benchmarks; must not be called during a run. nullptr: the best set.
 void ChooseKernels(const Kernels* kernels);
-/// All sets for this processor, the default last: AVX-512 gains nothing over AVX2 at eight lanes, and plain loops are faster
-/// than vector types wider than the registers of the processor.
+/// All sets for this processor, the default last: AVX-512 gains nothing over AVX2 at eight lanes,
+/// and plain loops are faster than vector types wider than the registers of the processor.
 const std::vector<const Kernels*>& AvailableKernels();
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LaneDistance.h
- * @brief Distances of the origin to four segments or triangles at once; in an anonymous namespace like Lanes.h.
+ * @brief Distances of the origin to four segments or triangles at once; in an anonymous namespace
+ * like Lanes.h.
  */
 #ifndef BoneDecimate_Core_Decimate_Kernels_LaneDistance_h
 #define BoneDecimate_Core_Decimate_Kernels_LaneDistance_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaneSums.h
- * @brief A part of KernelSet.h: quadrics of the planes of a fan, computed anew or updated after a collapse.
+ * @brief A part of KernelSet.h: quadrics of the planes of a fan, computed anew or updated after a
+ * collapse.
  */
 #ifndef BoneDecimate_Core_Decimate_Kernels_PlaneSums_h
 #define BoneDecimate_Core_Decimate_Kernels_PlaneSums_h

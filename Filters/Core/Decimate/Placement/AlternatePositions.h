@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AlternatePositions.h
- * @brief Where a merged vertex may go if its best position cannot be proved, in the order in which they are tried.
+ * @brief Where a merged vertex may go if its best position cannot be proved, in the order in which
+ * they are tried.
  *
  *     m = (v + w) / 2         the middle of the edge from v to w
  *     x                       the best position (VolumePreserving.h)

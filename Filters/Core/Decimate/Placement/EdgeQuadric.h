@@ -2,23 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeQuadric.h
- * @brief The squared distance to the planes of the triangles at both ends of an edge, as a quadric about its middle.
+ * @brief The squared distance to the planes of the triangles at both ends of an edge, as a quadric
+ * about its middle.
  *
- * For the edge from v to w, with the sums over the triangles at each end (RingQuadric: area A, unit normal n)
+ * For the edge from v to w, with the sums over the triangles at each end (RingQuadric: area A, unit
+ * normal n)
  *
  *     Mv = sum of 2 A n n^T,   gv = sum of 2 A n
  *
  * and coordinates about the middle, with e = (w - v) / 2:
  *
  *     M = Mv + Mw      r = (Mw - Mv) e      g = gv + gw      d = (gw - gv) . e
- *     Q(x) = x.Mx - 2 r.x + e.Me            twice the area times the squared distance to the planes, summed
- *     g.x = d                               the plane on which the volume under both rings stays what it is
+ *     Q(x) = x.Mx - 2 r.x + e.Me    twice the area times the squared distance to the planes, summed
+ *     g.x = d                       the plane on which the volume under both rings stays what it is
  *
- * All planes of a ring pass through its vertex, so that nine numbers hold it. Lengths are in the mesh's unit. Single
- * precision, every sum from left to right: the kernels give the same bits.
+ * All planes of a ring pass through its vertex, so that nine numbers hold it. Lengths are in the
+ * mesh's unit. Single precision, every sum from left to right: the kernels give the same bits.
  *
  * M. Garland, P. Heckbert, Surface simplification using quadric error metrics, 1997: the quadric.
- * P. Lindstrom, G. Turk, Fast and memory efficient polygonal simplification, 1998: of the current triangles, not accumulated.
+ * P. Lindstrom, G. Turk, Fast and memory efficient polygonal simplification, 1998: of the current
+ * triangles, not accumulated.
  */
 #ifndef BoneDecimate_Core_Decimate_Placement_EdgeQuadric_h
 #define BoneDecimate_Core_Decimate_Placement_EdgeQuadric_h

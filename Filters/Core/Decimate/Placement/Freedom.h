@@ -7,7 +7,8 @@
  *     both ends free                            anywhere                      Space
  *     a boundary edge                           on the edge                   Edge
  *     one end constrained more than the other   onto that end                 First, Second
- *     an inside edge between boundary vertices, or two ends that stay: the edge is not collapsed     Nowhere
+ *     an inside edge between boundary vertices, or two ends that stay: the edge is not collapsed
+ *       Nowhere
  *
  * An open boundary therefore moves only along itself.
  */

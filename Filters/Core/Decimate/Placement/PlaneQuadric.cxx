@@ -13,7 +13,8 @@ namespace
 constexpr double Ridge = 1e-3;       // of the mean eigenvalue of A
 constexpr double FarthestMove = 2.0; // edge lengths from the middle
 
-/// Calls visit(normal, corner) for the plane of every triangle of both rings, the two at the edge included.
+/// Calls visit(normal, corner) for the plane of every triangle of both rings, the two at the edge
+/// included.
 template <typename Visit>
 void VisitPlanes(
   const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around, Visit visit)
@@ -39,7 +40,8 @@ void AddEnd(PositionCandidates& proposals, const HalfEdgeMesh& mesh, const EdgeN
   proposals.Edits[proposals.Count++] = { around.Edge, end, mesh.Position(end), true };
 }
 
-/// Minimizes a sum of squares along the edge, each term given by how it changes and how large it is at Start.
+/// Minimizes a sum of squares along the edge, each term given by how it changes and how large it is
+/// at Start.
 class EdgeMinimum
 {
 public:

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VolumePreserving.h
- * @brief Where Fast, Balanced and Accurate put the merged vertex of an edge: nearest to the planes, the volume kept.
+ * @brief Where Fast, Balanced and Accurate put the merged vertex of an edge: nearest to the planes,
+ * the volume kept.
  *
  * With the quadric of the edge (EdgeQuadric.h), from its middle:
  *
@@ -14,7 +15,8 @@
  *
  * The ridge 1e-5 tr M / 3 pulls x to the middle in the directions that the planes leave open.
  *
- * This is the scalar reference of a part of Decimate/Kernels/KernelSet.h, which gives the same bits.
+ * This is the scalar reference of a part of Decimate/Kernels/KernelSet.h, which gives the same
+ * bits.
  *
  * P. Lindstrom, G. Turk, Fast and memory efficient polygonal simplification, 1998: volume kept.
  */

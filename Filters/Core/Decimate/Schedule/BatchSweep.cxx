@@ -13,7 +13,8 @@ namespace
 constexpr std::size_t MinBatch = 8;
 constexpr std::size_t FirstBatch = 32;
 constexpr std::size_t MaxBatch = 128;
-/// A batch shrinks if more than one collapse in this many was found in vain, and grows if less than one in four times as many.
+/// A batch shrinks if more than one collapse in this many was found in vain, and grows if less than
+/// one in four times as many.
 constexpr std::size_t CollapsesForOneInVain = 8;
 /// Vertices that wait, in batches: no list is read while there are more.
 constexpr std::size_t BatchesThatWait = 4;
@@ -88,7 +89,8 @@ void BatchSweep::FillBatch()
 }
 
 //------------------------------------------------------------------------------
-/// Adds the vertex to the batch or to those that wait, unless its bucket has risen since it was listed.
+/// Adds the vertex to the batch or to those that wait, unless its bucket has risen since it was
+/// listed.
 void BatchSweep::Take(const Listed& listed)
 {
   if (this->Known.Buckets[listed.Vertex] > listed.Highest)

@@ -2,23 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BatchSweep.h
- * @brief Collapses cheap edges of the whole mesh, where checking an edit takes much longer than applying it.
+ * @brief Collapses cheap edges of the whole mesh, where checking an edit takes much longer than
+ * applying it.
  *
- *     list the vertices by bucket                                                                  (VertexLists)
+ *     list the vertices by bucket                                                     (VertexLists)
  *     while a list is not above the limit, and collapses are left:
- *         batch:    the next vertices, lowest lists first, of which no two have a vertex of their closed rings in common;
+ *         batch:    the next vertices, lowest lists first, of which no two have a vertex of their
+ *                   closed rings in common;
  *                   the others wait for the next batch
- *         search:   at each vertex the cheapest collapse that is accepted, all at the same time    (CollapseSearch)
+ *         search:   at each vertex the cheapest collapse that is accepted, all at the same time
+ *           (CollapseSearch)
  *         commit:   one after the other, in the order of the lists:
  *                   rejected:                   set the bucket that the search found
- *                   accepted, and what the search read has changed in this batch:  wait for the next batch
+ *                   accepted, and what the search read has changed in this batch:  wait for the
+ *                     next batch
  *                   accepted otherwise:         collapse; compute the bucket of the merged vertex
  *
- * This is optimistic parallel execution with deterministic reservations (G. Blelloch et al., Internally deterministic parallel
- * algorithms can be fast, 2012). A search writes nothing that another one of its batch reads: only witnesses of the ends of its edges,
- * which lie in the closed ring. What it reads is the mesh within Reach of the faces that change, compared by boxes, and what the
- * filters compare in StillAccepts. A batch depends on the mesh alone, so the number of threads does not change the
- * result. The fewer searches are in vain, the larger the next batch.
+ * This is optimistic parallel execution with deterministic reservations (G. Blelloch et al.,
+ * Internally deterministic parallel algorithms can be fast, 2012). A search writes nothing that
+ * another one of its batch reads: only witnesses of the ends of its edges, which lie in the closed
+ * ring. What it reads is the mesh within Reach of the faces that change, compared by boxes, and
+ * what the filters compare in StillAccepts. A batch depends on the mesh alone, so the number of
+ * threads does not change the result. The fewer searches are in vain, the larger the next batch.
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_BatchSweep_h
 #define BoneDecimate_Core_Decimate_Schedule_BatchSweep_h
@@ -88,8 +93,8 @@ private:
   std::size_t NextReady = 0;
   CostBucket MaxOfReady = NeverBucket;
   std::vector<Listed> Waiting, Retried; // for the next batch; of the one being filled
-  std::vector<std::uint32_t>
-    ReservedBy; // of each vertex, the last batch that has it in a closed ring
+  // of each vertex, the last batch that has it in a closed ring
+  std::vector<std::uint32_t> ReservedBy;
   std::uint32_t Batch = 0;
   std::vector<Box> Changed; // by the collapses of this batch
 };

@@ -21,8 +21,8 @@ void BlockSweep::RenewAll(Index first, Index last)
 }
 
 //------------------------------------------------------------------------------
-/// Prefetches the rings of the next vertices of the list before Gather reads them, one face of each at a time, so that
-/// memory latency overlaps with computation.
+/// Prefetches the rings of the next vertices of the list before Gather reads them, one face of each
+/// at a time, so that memory latency overlaps with computation.
 void BlockSweep::LookAhead(std::size_t at)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -50,8 +50,8 @@ void BlockSweep::LookAhead(std::size_t at)
 }
 
 //------------------------------------------------------------------------------
-/// The evaluated edges of the vertex at that position of the list. Those of the next vertex are gathered first, so that
-/// their data is prefetched meanwhile.
+/// The evaluated edges of the vertex at that position of the list. Those of the next vertex are
+/// gathered first, so that their data is prefetched meanwhile.
 VertexEdges& BlockSweep::EdgesOfReady(std::size_t at, CostBucket highest)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

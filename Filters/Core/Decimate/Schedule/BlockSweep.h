@@ -4,15 +4,16 @@
  * @file BlockSweep.h
  * @brief Collapses cheap edges within one block of consecutive vertices, list by list.
  *
- *     list the vertices by bucket, eight lists per factor of two                                   (VertexLists)
+ *     list the vertices by bucket, eight lists per factor of two                      (VertexLists)
  *     while a list is not above the limit, and collapses are left:
  *         for every vertex of the lowest list:
  *             evaluate its edges again
- *             cost above the list:        set the bucket of the vertex, and add it to the list of that bucket
- *             search the cheapest collapse that is accepted                                        (CollapseSearch)
+ *             cost above the list:        set the bucket of the vertex, and add it to the list of
+ *                                         that bucket
+ *             search the cheapest collapse that is accepted                        (CollapseSearch)
  *             deferred:                   to the next pass, which has other blocks
  *             rejected:                   set the bucket that the search found
- *             accepted:                   collapse; compute the bucket of the merged vertex, and add it to its list
+ *             accepted:   collapse; compute the bucket of the merged vertex, and add it to its list
  *
  * No vertex outside the block is read or written, so that blocks may be swept in parallel.
  */
@@ -38,7 +39,8 @@ public:
   {
   }
 
-  /// Computes the buckets of the vertices from first to last, whatever block their neighbors lie in.
+  /// Computes the buckets of the vertices from first to last, whatever block their neighbors lie
+  /// in.
   void RenewAll(Index first, Index last);
 
   /// @param goOn Called after every collapse.

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BucketLists.h
- * @brief Vertices in lists by the bucket of their cost, eight lists per factor of two: no heap, no comparison.
+ * @brief Vertices in lists by the bucket of their cost, eight lists per factor of two: no heap, no
+ * comparison.
  *
- * Vertices are never removed from the middle of a list. The caller checks whether a vertex still belongs to its list.
+ * Vertices are never removed from the middle of a list. The caller checks whether a vertex still
+ * belongs to its list.
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_BucketLists_h
 #define BoneDecimate_Core_Decimate_Schedule_BucketLists_h
@@ -52,7 +54,8 @@ inline float CostOf(CostBucket bucket)
   return cost;
 }
 
-/// Number of buckets that are not above the limit. The sums are short, so that compilers vectorize the loop.
+/// Number of buckets that are not above the limit. The sums are short, so that compilers vectorize
+/// the loop.
 inline Index CountUpTo(CostBucket limit, const CostBucket* first, const CostBucket* last)
 {
   constexpr std::ptrdiff_t most = 4096;
@@ -95,8 +98,8 @@ public:
     this->Lowest = std::min(this->Lowest, list);
   }
 
-  /// Moves the lowest list there is to `vertices`, the last one added first; returns its highest bucket, NeverBucket if
-  /// there is none.
+  /// Moves the lowest list there is to `vertices`, the last one added first; returns its highest
+  /// bucket, NeverBucket if there is none.
   CostBucket TakeLowest(std::vector<Index>& vertices)
   {
     vertices.clear();

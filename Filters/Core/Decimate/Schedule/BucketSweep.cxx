@@ -225,7 +225,8 @@ Index BucketSweep::BlockSize() const
 }
 
 //------------------------------------------------------------------------------
-/// For what reaches out of small ones: so few that little reaches out of them, with ends where no others have theirs.
+/// For what reaches out of small ones: so few that little reaches out of them, with ends where no
+/// others have theirs.
 BucketSweep::BlockCut BucketSweep::LargeBlocks() const
 {
   return { 1 + 2 * (this->MeshEditor.Mesh().NumberOfVertexSlots() / 5), false };

@@ -53,7 +53,8 @@ CollapseSearch::Result CollapseSearch::Find(
     rejectedUntil =
       static_cast<CostBucket>(std::min<int>(highest + BucketsAfterRejection, NeverBucket));
   }
-  // All edges were tried; trying them again until the end of the pass would cost more than the pass.
+  // All edges were tried; trying them again until the end of the pass would cost more than the
+  // pass.
   const bool waits = crosses && bucket == NeverBucket;
   return { Outcome::Rejected, waits ? NeverBucket : std::min(bucket, rejectedUntil), 0.0,
     this->IsLasting };
@@ -68,8 +69,8 @@ bool CollapseSearch::WasTried(VertexId vertex) const
 }
 
 //------------------------------------------------------------------------------
-/// TooFar: not proved, or rejected while all positions are tried. TooCostly: rejected for another reason than Crossing, or the
-/// spike penalty is above the current bucket.
+/// TooFar: not proved, or rejected while all positions are tried. TooCostly: rejected for another
+/// reason than Crossing, or the spike penalty is above the current bucket.
 CollapseSearch::Trial CollapseSearch::TryEdge(
   VertexId vertex, const VertexEdges::Candidate& candidate, float mostCost)
 {
@@ -150,7 +151,8 @@ double CollapseSearch::AccumulatedErrorAfter(const Edit& edit)
 }
 
 //------------------------------------------------------------------------------
-/// To the best position, or onto the vertex with the higher constraint if the constraints of the ends differ.
+/// To the best position, or onto the vertex with the higher constraint if the constraints of the
+/// ends differ.
 Edit CollapseSearch::EditOf(VertexId vertex, const VertexEdges::Candidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CollapseSearch.h
- * @brief The cheapest collapse at a vertex that rules and filters accept. The search changes neither the mesh nor the buckets.
+ * @brief The cheapest collapse at a vertex that rules and filters accept. The search changes
+ * neither the mesh nor the buckets.
  *
- *     for every edge of the vertex up to the highest cost, cheapest first, without those rejected before if nothing has changed:
+ *     for every edge of the vertex up to the highest cost, cheapest first, without those rejected
+ *       before if nothing has changed:
  *         an edge leads out of the block:      deferred
  *         spike penalty above the highest:     as if rejected
- *         rejected:                            the next edge; after the last, raise the bucket by a factor of 16 in cost
- *         not proved, or intersects:           after the last edge that is tried, wait for the next pass
+ *         rejected:       the next edge; after the last, raise the bucket by a factor of 16 in cost
+ *         not proved, or intersects:      after the last edge that is tried, wait for the next pass
  *         else it is the one
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_CollapseSearch_h
@@ -26,7 +28,8 @@ struct BlockTask
   Index Collapses = 0;           ///< The most allowed.
   int Workers = 1;               ///< Blocks that are swept at the same time.
   bool RenewsRing = false;       ///< Compute the buckets of the ring of each merged vertex again.
-  /// Positions tried for a merged vertex until one can be proved. 1: only the best position, and no other edge.
+  /// Positions tried for a merged vertex until one can be proved. 1: only the best position, and no
+  /// other edge.
   int PositionsTried = 1;
   bool TriesAll() const { return this->PositionsTried > 1; }
 };
@@ -56,7 +59,8 @@ public:
   }
 
   /// @param edges Of the vertex, evaluated if they are inside; forgotten afterwards.
-  /// @param space Holds an accepted collapse, for Editor::ApplyCollapse. Its Range is that of the task.
+  /// @param space Holds an accepted collapse, for Editor::ApplyCollapse. Its Range is that of the
+  ///   task.
   Result Find(VertexEdges& edges, CostBucket highest, const BlockTask& task, Workspace& space);
 
 private:

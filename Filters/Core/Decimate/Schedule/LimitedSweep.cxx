@@ -12,7 +12,8 @@ namespace
 constexpr Index MinOfPass = 128;
 }
 
-/// The final number of faces is not known. Rejected edges wait for the next pass, which tries all positions.
+/// The final number of faces is not known. Rejected edges wait for the next pass, which tries all
+/// positions.
 StopReason BucketSweep::RunProved(const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

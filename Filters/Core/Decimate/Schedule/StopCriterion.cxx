@@ -66,7 +66,8 @@ StopReason StopCriterion::Reason() const
 }
 
 //------------------------------------------------------------------------------
-/// Measured in faces. With an error target, the final number of faces is not known, so the run may end early.
+/// Measured in faces. With an error target, the final number of faces is not known, so the run may
+/// end early.
 double StopCriterion::FractionDone(Index unsettled) const
 {
   const Index end = this->Targets.Error > 0.0 ? 0 : this->Targets.Faces;

@@ -15,13 +15,14 @@ namespace bonedecimate
 struct StopTargets
 {
   Index Faces = 0; ///< Number of triangles to reach.
-  /// mm, only in modes that stop at a recorded error: the distance of a new vertex to the original that must also be
-  /// reached; 0: none.
+  /// mm, only in modes that stop at a recorded error: the distance of a new vertex to the original
+  /// that must also be reached; 0: none.
   double Error = 0.0;
 };
 
-/// The targets that the options define for a surface of that many faces. A default reduction is ignored if there is any
-/// other target. In modes that prove the largest error, that error is no stop target: edits beyond it are rejected.
+/// The targets that the options define for a surface of that many faces. A default reduction is
+/// ignored if there is any other target. In modes that prove the largest error, that error is no
+/// stop target: edits beyond it are rejected.
 /// @param isLimited Whether every point has a tolerance, which counts as another target.
 StopTargets StopTargetsOf(const Options& options, Index faces, bool isLimited = false);
 
@@ -38,7 +39,8 @@ public:
   /// Why it is reached, while IsReached().
   StopReason Reason() const;
 
-  /// Reports to the monitor every half percent; TellNow reports at once. False if the monitor requests a stop.
+  /// Reports to the monitor every half percent; TellNow reports at once. False if the monitor
+  /// requests a stop.
   bool Tell(const Monitor& monitor);
   /// @param unsettled Faces that workers have removed and the mesh has not counted yet.
   bool TellNow(const Monitor& monitor, Index unsettled = 0);

@@ -13,7 +13,8 @@ namespace bonedecimate
 namespace
 {
 constexpr float Never = std::numeric_limits<float>::infinity();
-/// An edge of a vertex with more has more than MaxFacesOfEdit: such a vertex has no edge to collapse.
+/// An edge of a vertex with more has more than MaxFacesOfEdit: such a vertex has no edge to
+/// collapse.
 constexpr std::size_t MaxBatches = MaxFacesOfEdit / EdgeBatch::Size + 1;
 }
 

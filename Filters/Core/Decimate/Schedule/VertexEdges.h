@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexEdges.h
- * @brief The edges at one vertex, gathered first and evaluated later, so that their data is prefetched meanwhile.
+ * @brief The edges at one vertex, gathered first and evaluated later, so that their data is
+ * prefetched meanwhile.
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_VertexEdges_h
 #define BoneDecimate_Core_Decimate_Schedule_VertexEdges_h
@@ -19,14 +20,15 @@ namespace bonedecimate
 /// Data of a sweep for every vertex, beside the mesh.
 struct VertexBuckets
 {
-  std::vector<CostBucket>
-    Buckets; ///< NeverBucket: removed, constrained, or without an edge to collapse.
+  /// NeverBucket: removed, constrained, or without an edge to collapse.
+  std::vector<CostBucket> Buckets;
   /// Accumulated error of the collapses into the vertex, units of the mesh.
   std::vector<float> AccumulatedErrors;
   float CostFactor = 1.0F; ///< CostNormalization() of Decimate/Cost/QuadricDeviation.h.
   /// The factor of Decimate/Cost/SpikePenalty.h.
   double SpikeFactor = 0.0;
-  /// Only if edits are limited, of each vertex: what has to be done again because something around it has changed.
+  /// Only if edits are limited, of each vertex: what has to be done again because something around
+  /// it has changed.
   std::vector<std::uint8_t> Changed;
   static constexpr std::uint8_t ToEvaluate = 1; ///< Since its bucket was computed for this pass.
   static constexpr std::uint8_t ToSearch = 2;   ///< Since no collapse was found there.

@@ -7,8 +7,8 @@ namespace bonedecimate
 /// The last vertex first, since lists are read backwards.
 void VertexLists::Fill(const BlockTask& task)
 {
-  constexpr Index step =
-    32; // counted together: in later rounds most have no vertex below the limit
+  // counted together: in later rounds most have no vertex below the limit
+  constexpr Index step = 32;
   this->Task = task;
   this->Lists.Clear();
   const CostBucket* buckets = this->Known.Buckets.data();

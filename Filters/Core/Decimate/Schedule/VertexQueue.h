@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexQueue.h
- * @brief Vertices sorted by cost, lowest first, equal costs by vertex id: a heap that stores the position of each vertex.
+ * @brief Vertices sorted by cost, lowest first, equal costs by vertex id: a heap that stores the
+ * position of each vertex.
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_VertexQueue_h
 #define BoneDecimate_Core_Decimate_Schedule_VertexQueue_h

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CollapseStage.h
- * @brief The first stage of every mode: collapses edges by the schedule of the mode, feature curves before the faces
+ * @brief The first stage of every mode: collapses edges by the schedule of the mode, feature curves
+ * before the faces
  *        beside them (FeatureCurveStages.h).
  *
  *     VertexQueue    ThesisCollapse, down to the targets
- *     BucketSweep    BucketSweep, down to the targets or, where a refine stage follows, to a few faces more
+ *     BucketSweep    BucketSweep, down to the targets or, where a refine stage follows, to a few
+ *                    faces more
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_CollapseStage_h
 #define BoneDecimate_Core_Decimate_Stages_CollapseStage_h

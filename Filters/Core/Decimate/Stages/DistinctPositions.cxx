@@ -32,8 +32,9 @@ std::vector<std::array<int, 3>> StepsAround()
   return steps;
 }
 
-/// The nearest coordinate beside it that a vertex can have and that is written as another number, mm. Near 0 single precision is
-/// finer than positions relative to the local origin; denormal numbers are left out, because many programs read them as 0.
+/// The nearest coordinate beside it that a vertex can have and that is written as another number,
+/// mm. Near 0 single precision is finer than positions relative to the local origin; denormal
+/// numbers are left out, because many programs read them as 0.
 double BesideInSingle(double position, int step, double origin)
 {
   const auto from = static_cast<float>(position);
@@ -77,7 +78,8 @@ public:
   }
 
 private:
-  /// Vertices whose rounded position is already taken. Vertices that cannot move take their position first.
+  /// Vertices whose rounded position is already taken. Vertices that cannot move take their
+  /// position first.
   std::vector<Index> FindCoincident()
   {
     const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

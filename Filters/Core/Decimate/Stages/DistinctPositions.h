@@ -4,9 +4,9 @@
  * @file DistinctPositions.h
  * @brief Separates vertices whose positions coincide after rounding.
  *
- * Readers merge coincident points. Two vertices with the same coordinates would then close a slit in an open boundary, and
- * the boundary of the file would differ from the proved one. So one of them moves to an adjacent position, by a move that is
- * checked and proved like any other.
+ * Readers merge coincident points. Two vertices with the same coordinates would then close a slit
+ * in an open boundary, and the boundary of the file would differ from the proved one. So one of
+ * them moves to an adjacent position, by a move that is checked and proved like any other.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_DistinctPositions_h
 #define BoneDecimate_Core_Decimate_Stages_DistinctPositions_h

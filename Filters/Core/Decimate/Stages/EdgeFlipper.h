@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeFlipper.h
- * @brief Flips an edge where the other diagonal of its two faces lies nearer to the samples of both.
+ * @brief Flips an edge where the other diagonal of its two faces lies nearer to the samples of
+ * both.
  *
  *          c                     c
- *        / | \                 /   \       error before = samples of a-b-c to it + samples of b-a-d to it
- *       a  |  b      and      a-----b      error after  = all of them, each to the nearer of the new faces
+ *        / | \                 /   \       error before = samples of a-b-c to it + samples of b-a-d
+ *                                          to it
+ *       a  |  b      and      a-----b      error after  = all of them, each to the nearer of the
+ *                                                       new faces
  *        \ | /                 \   /
  *          d                     d         (either may be before and the other after)
  *
- * Flipped if that lowers the error, that of the edge among it, by 2 % and turns no face away from the original.
- * H. Hoppe et al., Mesh Optimization, 1993.
+ * Flipped if that lowers the error, that of the edge among it, by 2 % and turns no face away from
+ * the original. H. Hoppe et al., Mesh Optimization, 1993.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_EdgeFlipper_h
 #define BoneDecimate_Core_Decimate_Stages_EdgeFlipper_h
@@ -29,7 +32,8 @@ namespace bonedecimate
 class EdgeFlipper
 {
 public:
-  /// @param faceErrors Of each face, squares of the mesh's unit, negative where unknown; common to all workers.
+  /// @param faceErrors Of each face, squares of the mesh's unit, negative where unknown; common to
+  ///   all workers.
   /// @param range What may be changed.
   EdgeFlipper(Editor& editor, Samples& samples, const BackHints& hints,
     std::vector<float>& faceErrors, VertexRange range, int workers)

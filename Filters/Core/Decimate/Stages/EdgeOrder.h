@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeOrder.h
- * @brief Costs and positions of edges from the quadrics of their ends, to select the edges worth evaluating.
+ * @brief Costs and positions of edges from the quadrics of their ends, to select the edges worth
+ * evaluating.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_EdgeOrder_h
 #define BoneDecimate_Core_Decimate_Stages_EdgeOrder_h
@@ -31,7 +32,8 @@ struct RatedEdge
 void RateEdges(
   const HalfEdgeMesh& mesh, VertexId vertex, bool isOneWay, std::vector<RatedEdge>& edges);
 
-/// The cheapest of the whole mesh, in an order that depends on it alone. False if the monitor requests a stop.
+/// The cheapest of the whole mesh, in an order that depends on it alone. False if the monitor
+/// requests a stop.
 bool FindCheapest(const HalfEdgeMesh& mesh, std::size_t count, int threads, const Monitor& monitor,
   std::vector<RatedEdge>& edges);
 }

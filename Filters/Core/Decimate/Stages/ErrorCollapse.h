@@ -4,14 +4,16 @@
  * @file ErrorCollapse.h
  * @brief The last collapses, in the order of their change of the sampled two-sided error.
  *
- *     evaluate the cheapest inside edges by their quadrics, several for each remaining collapse             (FanFit)
+ *     evaluate the cheapest inside edges by their quadrics, several for each remaining collapse
+ *       (FanFit)
  *     limit = the cost with no more edges below it than collapses remain
  *     every block of consecutive vertices, on any thread, then every block half a block further:
- *         collapse its edges below the limit, cheapest first, at most as many as lay below it           (ErrorQueue)
+ *         collapse its edges below the limit, cheapest first, at most as many as lay below it
+ *           (ErrorQueue)
  *     on one thread:  collapse what is left, cheapest first, down to the exact number
  *
- * Limit, blocks and allowances depend on the mesh alone, so that the number of threads does not change the result.
- * Edges at open boundaries and constrained parts are left to the other order.
+ * Limit, blocks and allowances depend on the mesh alone, so that the number of threads does not
+ * change the result. Edges at open boundaries and constrained parts are left to the other order.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ErrorCollapse_h
 #define BoneDecimate_Core_Decimate_Stages_ErrorCollapse_h
@@ -30,7 +32,8 @@ public:
   ErrorCollapse(
     Editor& editor, Samples& samples, BackHints& hints, int edgesOfCollapse, int threads);
 
-  /// Down to that many faces, or until no edge may be collapsed. False if the monitor requests a stop.
+  /// Down to that many faces, or until no edge may be collapsed. False if the monitor requests a
+  /// stop.
   bool Run(Index faces, const Monitor& monitor);
 
 private:

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ErrorQueue.h
- * @brief Collapses edges of a block of vertices in the order of their change of the sampled two-sided error.
+ * @brief Collapses edges of a block of vertices in the order of their change of the sampled
+ * two-sided error.
  *
  *     take the cheapest edge
  *     its surroundings changed since its evaluation:     evaluate it again, put it back
  *     its ring leaves the block:                         left over
- *     else:   collapse it, pass its samples to the faces of the fan, evaluate the edges of the merged vertex
+ *     else:   collapse it, pass its samples to the faces of the fan, evaluate the edges of the
+ *             merged vertex
  *
- * A vertex whose ring leaves its block is never merged or moved. So no other worker changes anything around an edge with
- * both ends in the block, and blocks may be processed in parallel.
+ * A vertex whose ring leaves its block is never merged or moved. So no other worker changes
+ * anything around an edge with both ends in the block, and blocks may be processed in parallel.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ErrorQueue_h
 #define BoneDecimate_Core_Decimate_Stages_ErrorQueue_h

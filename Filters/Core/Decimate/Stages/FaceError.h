@@ -15,11 +15,12 @@
 
 namespace bonedecimate
 {
-/// Cosine between a face and the original (78 degrees) below which flips and moves may not turn it farther away.
+/// Cosine between a face and the original (78 degrees) below which flips and moves may not turn it
+/// farther away.
 constexpr double MinFacing = 0.2;
 
-/// Whether two faces fold by more than 90 degrees: there the edge between them may be a chord, which lies far from the
-/// original without any sample to see it.
+/// Whether two faces fold by more than 90 degrees: there the edge between them may be a chord,
+/// which lies far from the original without any sample to see it.
 inline bool FoldSharply(const Vector3& oneNormal, const Vector3& otherNormal)
 {
   return Dot(oneNormal, otherNormal) < 0.0;
@@ -28,7 +29,8 @@ inline bool FoldSharply(const Vector3& oneNormal, const Vector3& otherNormal)
 /// Points at which chords are measured, as fractions of the edge.
 constexpr std::array<double, 2> ChordFractions = { 1.0 / 3.0, 2.0 / 3.0 };
 
-/// The part of the error of SampledErrorCost.h that is due to its samples and its shape, squares of the mesh's unit.
+/// The part of the error of SampledErrorCost.h that is due to its samples and its shape, squares of
+/// the mesh's unit.
 /// @param frame The face as it is, or as it would be.
 inline double ErrorOfFace(
   const Samples& samples, const ErrorPenalty& penalty, FaceId face, const TriangleFrame& frame)
@@ -43,7 +45,8 @@ inline double ErrorOfFace(
   return error;
 }
 
-/// The same; infinite if a sample is farther from the frame than its limit: a proof would hardly ever succeed.
+/// The same; infinite if a sample is farther from the frame than its limit: a proof would hardly
+/// ever succeed.
 inline double ErrorWithinLimits(
   const Samples& samples, const ErrorPenalty& penalty, FaceId face, const TriangleFrame& frame)
 {

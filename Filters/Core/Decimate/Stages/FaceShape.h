@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FaceShape.h
- * @brief The smallest angle of a face of the mesh, and what edits for the sake of angles have in common.
+ * @brief The smallest angle of a face of the mesh, and what edits for the sake of angles have in
+ * common.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FaceShape_h
 #define BoneDecimate_Core_Decimate_Stages_FaceShape_h

@@ -7,10 +7,10 @@
  *     gather the samples of all faces at the edge
  *     x = where the quadrics of the ends are least
  *     x' = x + one Gauss-Newton step on the samples, each on its face of the fan around x
- *     the better of the two                                            (by the error of SampledErrorCost.h)
+ *     the better of the two                                    (by the error of SampledErrorCost.h)
  *
- * A sample is looked for in the new face that replaces its old one, and on from there round the fan while its distance
- * falls.
+ * A sample is looked for in the new face that replaces its old one, and on from there round the fan
+ * while its distance falls.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FanFit_h
 #define BoneDecimate_Core_Decimate_Stages_FanFit_h
@@ -43,7 +43,8 @@ public:
     Index Hint = None;        // the original triangle near the position
     double VertexError = 0.0; // the part of Error that is due to the vertex
   };
-  /// @param around Gathered for an edge whose ends are both inside.  @param position A candidate for its vertex.
+  /// @param around Gathered for an edge whose ends are both inside.  @param position A candidate
+  ///   for its vertex.
   Result Evaluate(const EdgeNeighborhood& around, const Vector3& position);
 
   /// After Evaluate: for each sample of the old faces, which face of the fan it belongs to.

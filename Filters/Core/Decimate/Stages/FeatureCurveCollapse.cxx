@@ -14,8 +14,8 @@ constexpr Index PassesForAll = 4;
 constexpr int MaxPasses = 16;
 constexpr Index CandidatesBetweenWords = 256; // to the monitor
 
-/// The half-edge of the boundary of v's patch between v and a duplicate of the other original vertex; None if there is
-/// none.
+/// The half-edge of the boundary of v's patch between v and a duplicate of the other original
+/// vertex; None if there is none.
 HalfEdgeId BoundaryEdgeTo(const HalfEdgeMesh& mesh, VertexId v, VertexId original)
 {
   if (mesh.IsConstrained(v) || !mesh.IsOnBoundary(v))
@@ -33,8 +33,8 @@ HalfEdgeId BoundaryEdgeTo(const HalfEdgeMesh& mesh, VertexId v, VertexId origina
                                                              : HalfEdgeId();
 }
 
-/// The collapse onto the other original vertex in each patch at the removed one. Empty unless the two are joined by one
-/// edge in each patch.
+/// The collapse onto the other original vertex in each patch at the removed one. Empty unless the
+/// two are joined by one edge in each patch.
 void FindEdits(const HalfEdgeMesh& mesh, VertexId gone, VertexId stays, std::vector<Edit>& edits)
 {
   edits.clear();
@@ -73,8 +73,8 @@ void FindBeside(const HalfEdgeMesh& mesh, Index original, std::vector<Index>& or
 }
 }
 
-/// Whether three curves would become a triangle. The patches between them could then degenerate to that triangle and
-/// coincide.
+/// Whether three curves would become a triangle. The patches between them could then degenerate to
+/// that triangle and coincide.
 bool FeatureCurveCollapse::MakesTriangle(Index position)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

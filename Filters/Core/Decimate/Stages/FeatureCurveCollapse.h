@@ -7,10 +7,13 @@
  *     a pass:   each removable vertex of a curve, by the deviation of the curve without it
  *               beyond the bound, or next to a vertex removed in this pass: not in this pass
  *               three curves would become a triangle: never
- *               onto the nearer of its two neighbors, else onto the other: the same edge in every patch (Editor::CollapseTogether)
- *     passes until enough are removed; each may remove a quarter at most, so that deviations are computed again
+ *               onto the nearer of its two neighbors, else onto the other: the same edge in every
+ *                 patch (Editor::CollapseTogether)
+ *     passes until enough are removed; each may remove a quarter at most, so that deviations are
+ *       computed again
  *
- * The remaining vertices of a curve are points of the input. The curves have few vertices, so this is not parallel.
+ * The remaining vertices of a curve are points of the input. The curves have few vertices, so this
+ * is not parallel.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FeatureCurveCollapse_h
 #define BoneDecimate_Core_Decimate_Stages_FeatureCurveCollapse_h

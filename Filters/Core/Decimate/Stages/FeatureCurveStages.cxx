@@ -13,7 +13,8 @@ namespace
 {
 constexpr double FacesOfStage = 0.25;
 constexpr double EdgesOfBound = 0.5;
-/// Once the loop is stuck, it runs again only after the curves have lost more than one edge in this many.
+/// Once the loop is stuck, it runs again only after the curves have lost more than one edge in this
+/// many.
 constexpr Index MinOfLines = 128;
 constexpr double MinRatioOfCurve = 1e-12;
 

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FeatureCurveStages.h
- * @brief Runs a loop in stages and simplifies the curves along which patches meet before each stage.
+ * @brief Runs a loop in stages and simplifies the curves along which patches meet before each
+ * stage.
  *
  *     no curves: the loop at once
  *     stage:     a quarter of the faces, or the target if that is more
- *                simplify the curves to edges in proportion to the square root of the faces, while their deviation stays
- *                    within half of the mean edge, so that curves and surface have a similar resolution
+ *                simplify the curves to edges in proportion to the square root of the faces, while
+ *                  their deviation stays
+ *                    within half of the mean edge, so that curves and surface have a similar
+ *                      resolution
  *                run the loop down to the faces of the stage
  *     the loop is stuck:  continue with coarser curves until they are stuck, too
  *

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FitStep.h
- * @brief The normal equations of one vertex that is fitted to points near its faces: one Gauss-Newton step.
+ * @brief The normal equations of one vertex that is fitted to points near its faces: one
+ * Gauss-Newton step.
  *
- *     with b the vertex's barycentric coordinate of the nearest point, r the residual vector, n its direction:
+ *     with b the vertex's barycentric coordinate of the nearest point, r the residual vector, n its
+ *       direction:
  *     H = sum weight b^2 n n^T + damping,   g = sum weight b (n . r) n,   step = H^-1 g
  *
- * H. Hoppe et al., Mesh Optimization, 1993: samples are fitted with constant nearest points. A. Fitzgibbon, Robust
- * Registration of 2D and 3D Point Sets, 2003: distances to planes instead of points allow longer steps.
+ * H. Hoppe et al., Mesh Optimization, 1993: samples are fitted with constant nearest points. A.
+ * Fitzgibbon, Robust Registration of 2D and 3D Point Sets, 2003: distances to planes instead of
+ * points allow longer steps.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FitStep_h
 #define BoneDecimate_Core_Decimate_Stages_FitStep_h
@@ -38,7 +41,8 @@ public:
       this->Add(p - frame.At(nearest), frame, nearest, fraction, weight);
     }
   }
-  /// The vertex itself, which is attracted to the nearest point of the original triangle of the frame.
+  /// The vertex itself, which is attracted to the nearest point of the original triangle of the
+  /// frame.
   void AddVertex(const Vector3& vertex, const TriangleFrame& frame,
     const TriangleFrame::Point& nearest, double weight)
   {

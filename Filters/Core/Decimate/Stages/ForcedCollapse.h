@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ForcedCollapse.h
- * @brief Collapses that exceed the error bound at first, together with moves around them that keep it (PatchFit.h).
+ * @brief Collapses that exceed the error bound at first, together with moves around them that keep
+ * it (PatchFit.h).
  *
- *     a round:   evaluate the edges near changes: those whose largest ratio is at most a given one        (SlackCandidates.h)
+ *     a round:   evaluate the edges near changes: those whose largest ratio is at most a given one
+ *       (SlackCandidates.h)
  *                choose candidates without a common neighborhood, the least ratio first
- *                in parallel:     find moves that keep the bound, on copies                               (PatchFit.h)
- *                on one thread:   apply what was found, each collapse with its moves as one proved edit   (Editor::CollapseAndMove)
+ *                in parallel:     find moves that keep the bound, on copies            (PatchFit.h)
+ *                on one thread:   apply what was found, each collapse with its moves as one proved
+ *                  edit   (Editor::CollapseAndMove)
  *     rounds until no candidate is left
  *
  * A candidate that fails is tried again only when something near it has changed.

@@ -4,8 +4,8 @@
  * @file HandleLimit.h
  * @brief Whether the handles of a surface are why no collapse is left.
  *
- * A handle keeps at least three edges around it and three through it. Where handles are many, most edges end on such a loop: the
- * collapse of one would close a handle or pinch the surface.
+ * A handle keeps at least three edges around it and three through it. Where handles are many, most
+ * edges end on such a loop: the collapse of one would close a handle or pinch the surface.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_HandleLimit_h
 #define BoneDecimate_Core_Decimate_Stages_HandleLimit_h
@@ -14,8 +14,8 @@
 
 namespace bonedecimate
 {
-/// Whether the surface has handles, and the collapse of at least half of its edges would change the topology. False for a surface with
-/// non-manifold points or labels: its handles are not counted.
+/// Whether the surface has handles, and the collapse of at least half of its edges would change the
+/// topology. False for a surface with non-manifold points or labels: its handles are not counted.
 bool AreHandlesInTheWay(const Editor& editor);
 }
 

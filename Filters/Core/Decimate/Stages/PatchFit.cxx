@@ -16,7 +16,8 @@ constexpr int MaxSweeps = 8;
 constexpr double RatioToMove = 0.9;
 /// A little less than the bound: what the samples miss.
 constexpr double Within = 0.99;
-/// A sweep must gain that much of the largest ratio, and the rest must be within reach of the sweeps that are left.
+/// A sweep must gain that much of the largest ratio, and the rest must be within reach of the
+/// sweeps that are left.
 constexpr double MinGainOfSweep = 0.002;
 constexpr double MaxHope = 1.2;
 }
@@ -155,7 +156,8 @@ SlackFit::Value PatchFit::Evaluate(const Vertex& vertex, const Vector3& position
 }
 
 //------------------------------------------------------------------------------
-/// Gives the samples to the faces where the last evaluation found them: those of the merged vertex have other faces than before.
+/// Gives the samples to the faces where the last evaluation found them: those of the merged vertex
+/// have other faces than before.
 void PatchFit::HandOver(const Vertex& vertex)
 {
   for (const Corner& corner : vertex.Fan)
@@ -224,7 +226,8 @@ double PatchFit::MaxRatio()
 }
 
 //------------------------------------------------------------------------------
-/// Moves every vertex and flips edges at those where that does not suffice.  @return The largest ratio.
+/// Moves every vertex and flips edges at those where that does not suffice.  @return The largest
+///   ratio.
 double PatchFit::Sweep()
 {
   double largest = 0.0;

@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PatchFit.h
- * @brief Tries a collapse that exceeds the error bound, and edits around it until the bound is kept, on a copy.
+ * @brief Tries a collapse that exceeds the error bound, and edits around it until the bound is
+ * kept, on a copy.
  *
  *     copy the faces around the edge, as after the collapse, and their samples
- *     sweeps: each vertex of the copy whose faces use most of the bound takes the step of SlackFit.h,
- *             and where that does not suffice, its edges are flipped if their other diagonal uses less
+ *     sweeps: each vertex of the copy whose faces use most of the bound takes the step of
+ *       SlackFit.h,
+ *             and where that does not suffice, its edges are flipped if their other diagonal uses
+ *               less
  *     no face breaks the rules of flips and moves against the face of the mesh that it replaces
  *     all faces within the bound:   found
  *     a sweep gains too little:     given up
  *
- * The mesh does not change. What is found is proposed as one edit (Editor::CollapseAndMove), which is proved as a whole.
+ * The mesh does not change. What is found is proposed as one edit (Editor::CollapseAndMove), which
+ * is proved as a whole.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_PatchFit_h
 #define BoneDecimate_Core_Decimate_Stages_PatchFit_h
@@ -75,7 +79,8 @@ private:
     Index Id;
     std::vector<SlackFit::Member> Members;
   };
-  /// The edge of a vertex to the second corner of a face of its fan, and its two faces, as CornersAround names them.
+  /// The edge of a vertex to the second corner of a face of its fan, and its two faces, as
+  /// CornersAround names them.
   struct Edge
   {
     std::size_t A, B, C, D;

@@ -10,7 +10,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// An edge whose faces use less of the bound is not flipped, nor where the error does not fall to that part.
+/// An edge whose faces use less of the bound is not flipped, nor where the error does not fall to
+/// that part.
 constexpr double RatioToFlip = 0.98;
 constexpr double PartAfterFlip = 0.9;
 }
@@ -24,7 +25,8 @@ PatchFit::Edge PatchFit::EdgeAt(std::size_t vertex, std::size_t slot) const
 }
 
 //------------------------------------------------------------------------------
-/// One of the vertices that the new edge connects is inside of the copy, which then has all of its edges.
+/// One of the vertices that the new edge connects is inside of the copy, which then has all of its
+/// edges.
 bool PatchFit::FlipIsAllowed(const Edge& edge) const
 {
   const auto isConnected = [this](std::size_t from, std::size_t to)
@@ -89,7 +91,8 @@ bool PatchFit::FlipImproves(const Edge& edge)
 }
 
 //------------------------------------------------------------------------------
-/// As HalfEdgeMesh::Flip: the left face a b c becomes d c a, the right one b a d becomes c d b.  The samples are as the last
+/// As HalfEdgeMesh::Flip: the left face a b c becomes d c a, the right one b a d becomes c d b.
+///   The samples are as the last
 /// evaluation found them.
 void PatchFit::Flip(const Edge& edge)
 {

@@ -91,9 +91,10 @@ bool CollapseBySlack(const StageInput& input, SlackRefinement& slack, const Moni
   return goesOn;
 }
 
-/// Collapses that exceed the error bound before vertices around them move: in the first round by little. Where a round made most of
-/// what it tried, the surface is smooth, and the next reaches farther. Rounds go on while they remove at least one face in this
-/// many. False if the monitor stopped it.
+/// Collapses that exceed the error bound before vertices around them move: in the first round by
+/// little. Where a round made most of what it tried, the surface is smooth, and the next reaches
+/// farther. Rounds go on while they remove at least one face in this many. False if the monitor
+/// stopped it.
 bool ForceCollapses(const StageInput& input, SlackRefinement& slack, const Monitor& monitor)
 {
   constexpr ForcedReach first = { 1.25, 1 };

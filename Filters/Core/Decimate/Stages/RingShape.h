@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RingShape.h
- * @brief The smallest angle of the triangles around a vertex, as a function of its position, and where it is larger.
+ * @brief The smallest angle of the triangles around a vertex, as a function of its position, and
+ * where it is larger.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_RingShape_h
 #define BoneDecimate_Core_Decimate_Stages_RingShape_h
@@ -23,7 +24,8 @@ public:
   /// Takes the triangles that remain around the merged vertex of an edge.
   void Gather(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around);
 
-  /// Cosine of the smallest angle with the vertex at that position. No less than `enough` if that is exceeded on the way.
+  /// Cosine of the smallest angle with the vertex at that position. No less than `enough` if that
+  /// is exceeded on the way.
   double CosineAt(const Vector3& position, double enough = 1.0) const;
 
   /**
@@ -34,8 +36,8 @@ public:
   Vector3 Search(const Vector3& from, double enough, double& cosine) const;
 
 private:
-  std::vector<std::array<Vector3, 2>>
-    Sides; // the other corners of each triangle, mm from the local origin
+  // the other corners of each triangle, mm from the local origin
+  std::vector<std::array<Vector3, 2>> Sides;
 };
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SampledErrors.h
- * @brief The error of every face and vertex as it is now (SampledErrorCost.h), kept up while collapses change it.
+ * @brief The error of every face and vertex as it is now (SampledErrorCost.h), kept up while
+ * collapses change it.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SampledErrors_h
 #define BoneDecimate_Core_Decimate_Stages_SampledErrors_h

@@ -4,8 +4,9 @@
  * @file ShapeCollapse.h
  * @brief Collapses an edge onto a position where the triangles around it have large angles.
  *
- * Candidates are the ends and the middle of the edge, and the position that RingShape finds from the best of them: as far from the
- * original as the ends on average, on the original, and as found. The one of the largest smallest angle is tried first.
+ * Candidates are the ends and the middle of the edge, and the position that RingShape finds from
+ * the best of them: as far from the original as the ends on average, on the original, and as found.
+ * The one of the largest smallest angle is tried first.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ShapeCollapse_h
 #define BoneDecimate_Core_Decimate_Stages_ShapeCollapse_h
@@ -20,7 +21,8 @@ namespace bonedecimate
 class ShapeCollapse
 {
 public:
-  /// @param largestCosine That of the least angle.  @param enough That of an angle that needs no improvement.
+  /// @param largestCosine That of the least angle.  @param enough That of an angle that needs no
+  ///   improvement.
   ShapeCollapse(Editor& editor, double largestCosine, double enough)
     : MeshEditor(editor)
     , MaxCosine(largestCosine)
@@ -28,7 +30,8 @@ public:
   {
   }
 
-  /// Collapses the edge if all triangles around it then have the least angle, or the worst of them becomes better.
+  /// Collapses the edge if all triangles around it then have the least angle, or the worst of them
+  /// becomes better.
   /// @return Whether it was collapsed.
   bool Try(HalfEdgeId edge);
 

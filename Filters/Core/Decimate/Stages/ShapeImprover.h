@@ -4,11 +4,14 @@
  * @file ShapeImprover.h
  * @brief Enlarges the smallest angles of a mesh, and collapses edges that this makes collapsible.
  *
- *     Mend:      of the faces below the least angle, the worst first: collapse an edge, flip an edge, move the corners
+ *     Mend:      of the faces below the least angle, the worst first: collapse an edge, flip an
+ *                edge, move the corners
  *                until a round leaves no fewer of them
- *     Collapse:  flips and moves at all faces below a larger angle, then collapses of all edges, the shortest first
+ *     Collapse:  flips and moves at all faces below a larger angle, then collapses of all edges,
+ *                the shortest first
  *
- * Rules and filters decide about every edit, so error bound, voxels and gaps are kept. ShapeFilter.h keeps what was reached.
+ * Rules and filters decide about every edit, so error bound, voxels and gaps are kept.
+ * ShapeFilter.h keeps what was reached.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ShapeImprover_h
 #define BoneDecimate_Core_Decimate_Stages_ShapeImprover_h

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeMover.h
- * @brief Flips edges and moves vertices where that enlarges the smallest angle of the triangles around.
+ * @brief Flips edges and moves vertices where that enlarges the smallest angle of the triangles
+ * around.
  *
- * A vertex moves to where RingShape finds a larger angle: as far from the original as before, onto the original, or as found; if
- * none of these is accepted, half of the way.
+ * A vertex moves to where RingShape finds a larger angle: as far from the original as before, onto
+ * the original, or as found; if none of these is accepted, half of the way.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ShapeMover_h
 #define BoneDecimate_Core_Decimate_Stages_ShapeMover_h

@@ -10,7 +10,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Angles that have become larger allow collapses that were rejected. False if the monitor requests a stop.
+/// Angles that have become larger allow collapses that were rejected. False if the monitor requests
+/// a stop.
 bool CollapseOnce(const StageInput& input, const Monitor& monitor)
 {
   input.MeshEditor.DistributeVolumeBudget();
@@ -19,15 +20,16 @@ bool CollapseOnce(const StageInput& input, const Monitor& monitor)
     SweepTo(input, input.Stops.Faces, monitor) != StopReason::Aborted;
 }
 
-/// Without an edge length, edges of any length are collapsed for it. False if the monitor requests a stop.
+/// Without an edge length, edges of any length are collapsed for it. False if the monitor requests
+/// a stop.
 bool EnlargeAngles(const StageInput& input, const Monitor& monitor)
 {
   constexpr double mendedAt = 0.2;
   constexpr double sweptAt = 0.4;
   constexpr double collapsedAt = 0.8; // of a round
   constexpr int mostRounds = 12;
-  constexpr Index leastOfRound =
-    128; // no further round after one that removes less than one face in this many
+  // no further round after one that removes less than one face in this many
+  constexpr Index leastOfRound = 128;
   const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
   ShapeImprover improver(input.MeshEditor, input.Shape.MaxCosine);
   bool goesOn = improver.Mend(PartOf(monitor, 0.0, mendedAt));

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeStage.h
- * @brief What a run with a least angle does after its collapses: ShapeImprover.h, and where a bound limits edits, more collapses.
+ * @brief What a run with a least angle does after its collapses: ShapeImprover.h, and where a bound
+ * limits edits, more collapses.
  *
  * Proof/EditFilters/ShapeFilter.h keeps the angle in all other stages.
  */

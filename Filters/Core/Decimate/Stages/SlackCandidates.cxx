@@ -12,11 +12,13 @@ namespace bonedecimate
 namespace
 {
 constexpr Index VerticesOfPart = 64;
-/// Where samples are farther, in limits, moving the vertex does not help; or farther than the largest ratio of a candidate by so much.
+/// Where samples are farther, in limits, moving the vertex does not help; or farther than the
+/// largest ratio of a candidate by so much.
 constexpr double Hopeless = 1.6;
 constexpr double HopelessAbove = 0.2;
 constexpr int MovesOfCandidate = 4;
-/// Points on the faces are looked at only where the samples are not farther than that, in the largest ratio of a candidate.
+/// Points on the faces are looked at only where the samples are not farther than that, in the
+/// largest ratio of a candidate.
 constexpr double FarthestOfSamples = 1.02;
 }
 

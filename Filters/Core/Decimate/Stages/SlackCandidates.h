@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackCandidates.h
- * @brief Edges whose collapse keeps the error bound, or exceeds it by little, after its vertex has moved to the best position.
+ * @brief Edges whose collapse keeps the error bound, or exceeds it by little, after its vertex has
+ * moved to the best position.
  *
- *     positions:   by quadrics, the middle, both ends: the nearest to the samples of the original                     (SlackFit.h)
+ *     positions:   by quadrics, the middle, both ends: the nearest to the samples of the original
+ *       (SlackFit.h)
  *     hopeless:    left out
  *     moves by the samples, then by samples and points on the faces
  *
- * Only edges near changes are evaluated. Edges at open boundaries and constrained parts are left out.
+ * Only edges near changes are evaluated. Edges at open boundaries and constrained parts are left
+ * out.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SlackCandidates_h
 #define BoneDecimate_Core_Decimate_Stages_SlackCandidates_h
@@ -39,7 +42,8 @@ struct SlackCandidate
 class SlackCandidates
 {
 public:
-  /// @param editor Must keep quadrics, and they must be right.  @param farthest The largest ratio of a candidate.
+  /// @param editor Must keep quadrics, and they must be right.  @param farthest The largest ratio
+  ///   of a candidate.
   SlackCandidates(const Editor& editor, const Samples& samples, const BackHints& hints,
     double farthest, int threads);
 
@@ -51,7 +55,8 @@ public:
 
   /// The face of that fan nearest to the k-th face that the collapse removes.
   static std::size_t SlotOfGone(const EdgeNeighborhood& around, std::size_t k);
-  /// The fan that the collapse of the edge makes, with the samples of all faces that were at the edge.
+  /// The fan that the collapse of the edge makes, with the samples of all faces that were at the
+  /// edge.
   static void Gather(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, SlackFit& slack);
 
 private:

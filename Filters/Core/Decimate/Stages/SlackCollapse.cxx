@@ -22,8 +22,8 @@ bool SlackCollapse::Run(Index faces, const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   constexpr int mostRounds = 4;
-  constexpr Index leastOfRound =
-    256; // no further round after one that removes less than one face in this many
+  // no further round after one that removes less than one face in this many
+  constexpr Index leastOfRound = 256;
   Index before = mesh.NumberOfFaces() + 1;
   for (int round = 0; round < mostRounds && mesh.NumberOfFaces() > faces &&
        before - mesh.NumberOfFaces() > (round == 0 ? 0 : before / leastOfRound);

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackCollapse.h
- * @brief Collapses where moving the merged vertex lets the faces around it keep the error bound (SlackFit.h).
+ * @brief Collapses where moving the merged vertex lets the faces around it keep the error bound
+ * (SlackFit.h).
  *
- *     a round:   evaluate the edges near changes, in parallel: those whose largest ratio is at most 1       (SlackCandidates.h)
- *                on one thread: collapse them, the least ratio first, where no earlier collapse of the round changed anything
+ *     a round:   evaluate the edges near changes, in parallel: those whose largest ratio is at most
+ *       1       (SlackCandidates.h)
+ *                on one thread: collapse them, the least ratio first, where no earlier collapse of
+ *                  the round changed anything
  *     rounds until one removes little
  *
  * Edges at open boundaries and constrained parts are left to the sweep.

@@ -27,8 +27,8 @@ constexpr double NextAttempt = 0.35;
 constexpr double MinGain = 1e-4;
 /// Rows below this part of the largest ratio hardly matter to the step.
 constexpr double MinRatio = 0.4;
-/// The part of the area around a vertex that it represents itself: between it and the nearest samples the distance rises, so without it the
-/// error would let it leave the bound.
+/// The part of the area around a vertex that it represents itself: between it and the nearest
+/// samples the distance rises, so without it the error would let it leave the bound.
 constexpr double VertexFraction = 0.1;
 constexpr int StepsOfExponent = 4;
 
@@ -164,8 +164,8 @@ PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction,
 }
 
 //------------------------------------------------------------------------------
-/// Error of points on the edges of the vertex, which is where faces are farthest from the original between its vertices, and of a few inside
-/// the faces.
+/// Error of points on the edges of the vertex, which is where faces are farthest from the original
+/// between its vertices, and of a few inside the faces.
 /// @param firstSpoke The first face at whose edge there are points.
 bool SlackFit::AddFaceRows(const Vector3& x, double enough, std::size_t firstSpoke)
 {

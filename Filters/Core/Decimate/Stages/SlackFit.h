@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackFit.h
- * @brief How much of the error bound a fan of faces uses, and where its vertex should go to use less.
+ * @brief How much of the error bound a fan of faces uses, and where its vertex should go to use
+ * less.
  *
- *     ratio(point) = distance / limit there; where nothing limits, the largest limit anywhere stands in, or nothing would hold a vertex
- *     error = sum of  area ratio^16  over the samples of the original, each to its nearest face of the fan,
+ *     ratio(point) = distance / limit there; where nothing limits, the largest limit anywhere
+ *       stands in, or nothing would hold a vertex
+ *     error = sum of  area ratio^16  over the samples of the original, each to its nearest face of
+ *                                    the fan,
  *                                and over points on the fan, each to the original
- *     step:   the minimum of  sum of  area |ratio + gradient . x|^p  by Newton's method for p = 4, 8, 16
+ *     step:   the minimum of  sum of  area |ratio + gradient . x|^p  by Newton's method for p = 4,
+ *                                                                    8, 16
  *
- * The exponent makes this a smooth form of the largest ratio: what is left below 1 is slack for further edits. It only proposes
- * edits; filters decide. A least-squares fit would lower the mean and let the largest ratio rise.
+ * The exponent makes this a smooth form of the largest ratio: what is left below 1 is slack for
+ * further edits. It only proposes edits; filters decide. A least-squares fit would lower the mean
+ * and let the largest ratio rise.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SlackFit_h
 #define BoneDecimate_Core_Decimate_Stages_SlackFit_h
@@ -48,7 +53,8 @@ public:
   void Clear();
   /// The next face of the fan, counter-clockwise; the fan must close.
   void AddFace(const Vector3& second, const Vector3& third);
-  /// The samples of a face of the mesh. Those that are farther from it than their limit do not count: the mesh is proved, so
+  /// The samples of a face of the mesh. Those that are farther from it than their limit do not
+  /// count: the mesh is proved, so
   /// they belong to another face.  @param slot The face of the fan where their search starts.
   void AddSamples(FaceId face, std::size_t slot);
 
@@ -61,17 +67,20 @@ public:
   void Use(Of part) { this->Part = part; }
   /// One sample that was a member of an evaluation.
   void AddMember(const Member& member) { this->Gathered.push_back(member); }
-  /// With the vertex at x.  @param hint An original triangle near x.  @param enough An error at which the evaluation ends; the
+  /// With the vertex at x.  @param hint An original triangle near x.  @param enough An error at
+  ///                                                                  which the evaluation ends;
+  ///                                                                    the
   /// value is infinite then.
   Value Evaluate(
     const Vector3& x, Index hint, double enough = std::numeric_limits<double>::infinity());
-  /// Error of two faces at x, which have the edge from x to the second corner of the last one in common; other edges do not count.
+  /// Error of two faces at x, which have the edge from x to the second corner of the last one in
+  /// common; other edges do not count.
   Value EvaluatePair(const Vector3& x, Index hint, double enough);
   /// The largest ratio of the samples of the original alone; infinite above that ratio.
   double MaxOfSamples(const Vector3& x, double most);
 
-  /// The nearest position of a fine grid. One step after the other would amplify the rounding of coordinates, which is another one at
-  /// another distance from the origin.
+  /// The nearest position of a fine grid. One step after the other would amplify the rounding of
+  /// coordinates, which is another one at another distance from the origin.
   Vector3 OnGrid(const Vector3& x) const;
 
   /// Moves x by Step(), or by a part of it, if that lowers the error by more than a little.

@@ -4,7 +4,8 @@
  * @file SlackFlipper.h
  * @brief Flips edges whose other diagonal uses less of the error bound (SlackFit.h).
  *
- * Collapses leave vertices of many edges beside vertices of few, and moves alone cannot even that out.
+ * Collapses leave vertices of many edges beside vertices of few, and moves alone cannot even that
+ * out.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SlackFlipper_h
 #define BoneDecimate_Core_Decimate_Stages_SlackFlipper_h

@@ -15,8 +15,8 @@ constexpr double MaxOfShift = 0.97;
 SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
 {
   const SlackFit::Value before = this->Gather(vertex);
-  constexpr double leastRatio =
-    0.5; // a vertex whose faces use less of the bound does not limit anything
+  // a vertex whose faces use less of the bound does not limit anything
+  constexpr double leastRatio = 0.5;
   if (!(before.Largest > leastRatio))
   {
     return {};

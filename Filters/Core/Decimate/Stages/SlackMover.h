@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackMover.h
- * @brief Moves a vertex to where the faces around it use less of the error bound (SlackFit.h), so that collapses find slack.
+ * @brief Moves a vertex to where the faces around it use less of the error bound (SlackFit.h), so
+ * that collapses find slack.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SlackMover_h
 #define BoneDecimate_Core_Decimate_Stages_SlackMover_h
@@ -33,7 +34,8 @@ public:
     std::vector<Index> Ring = {};               ///< The faces of the vertex,
     std::vector<SlackFit::Member> Samples = {}; ///< and which sample is in which of them.
   };
-  /// Reads the faces of the vertex only, so that vertices without a common face may be evaluated at the same time.
+  /// Reads the faces of the vertex only, so that vertices without a common face may be evaluated at
+  /// the same time.
   Proposal Evaluate(VertexId vertex);
 
   /// By that step, if the faces then keep within the bound.  @param step mm

@@ -78,7 +78,8 @@ bool SlackRefinement::MoveVertices(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// The least color that no neighbor has, in the order of the vertices: vertices of one color have no face in common.
+/// The least color that no neighbor has, in the order of the vertices: vertices of one color have
+/// no face in common.
 std::vector<std::vector<Index>> SlackRefinement::ColorVertices() const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackRefinement.h
- * @brief Fewer triangles within an error bound: moves that leave more of the bound, and collapses that use it up.
+ * @brief Fewer triangles within an error bound: moves that leave more of the bound, and collapses
+ * that use it up.
  *
- *     Begin:      distribute samples of the original over the faces, the original that the bound refers to
- *     Sweep:      flip edges                                                                                        (SlackFlipper)
- *                 color the vertices; of each color evaluate all moves in parallel, then apply them on one thread   (SlackMover)
- *     Collapse:   the same in rounds, the collapses that leave most of the bound first                              (SlackCollapse)
+ *     Begin:      distribute samples of the original over the faces, the original that the bound
+ *                 refers to
+ *     Sweep:      flip edges                                                         (SlackFlipper)
+ *                 color the vertices; of each color evaluate all moves in parallel, then apply them
+ *                   on one thread   (SlackMover)
+ *     Collapse:   the same in rounds, the collapses that leave most of the bound first
+ *       (SlackCollapse)
  *
- *     Force:      collapses that keep the bound only with moves and flips around them                                (ForcedCollapse)
- *     RestoreVolume:   moves that give lost volume back                                                             (VolumeMover)
+ *     Force:      collapses that keep the bound only with moves and flips around them
+ *       (ForcedCollapse)
+ *     RestoreVolume:   moves that give lost volume back                               (VolumeMover)
  *
  * Every edit is proved as any other; samples only propose.
  */
@@ -41,7 +46,8 @@ public:
   /// @param figures What was tried and made is added to them.
   bool Force(
     Index faces, ForcedReach reach, const Monitor& monitor, ForcedCollapseFigures& figures);
-  /// Moves that give components the volume back that they have lost. Flips and moves by others may come before, collapses may not.
+  /// Moves that give components the volume back that they have lost. Flips and moves by others may
+  /// come before, collapses may not.
   bool RestoreVolume(const Monitor& monitor);
 
 private:

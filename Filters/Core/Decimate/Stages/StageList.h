@@ -8,7 +8,8 @@
  *     for each stage of the mode: run it; the reason why the last one ended is that of the run
  *     aborted:                    no further stage
  *
- * A stage is a function of StageInput (Modes.h) in a file of its own. It leaves a valid mesh, aborted or not.
+ * A stage is a function of StageInput (Modes.h) in a file of its own. It leaves a valid mesh,
+ * aborted or not.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_StageList_h
 #define BoneDecimate_Core_Decimate_Stages_StageList_h
@@ -29,12 +30,12 @@ struct StageInput
   double NormalTolerance = 0.0; ///< w of Decimate/Cost/NormalFieldDeviation.h.
   int Threads = 1;              ///< 0: as many as the processor has.
   Index FacesAtStart = 0;       ///< Before the first stage; filled by RunStages().
-  const HalfEdgeMesh* InitialMesh =
-    nullptr; ///< Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
+  /// Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
+  const HalfEdgeMesh* InitialMesh = nullptr;
   double RefinementEffort = 1.0; ///< As in the options.
   ShapeLimits Shape = {};        ///< Limits of triangles.
-  ForcedCollapseFigures* Forced =
-    nullptr; ///< Receives what was tried and made; null: they are not kept.
+  /// Receives what was tried and made; null: they are not kept.
+  ForcedCollapseFigures* Forced = nullptr;
 
   bool ImprovesShape() const { return !this->Shape.IsAny(); }
   bool HasReachedFaces() const;

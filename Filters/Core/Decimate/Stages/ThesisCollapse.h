@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ThesisCollapse.h
- * @brief The thesis's loop: lowest vertex, then its lowest edge, until the number or the error is reached.
+ * @brief The thesis's loop: lowest vertex, then its lowest edge, until the number or the error is
+ * reached.
  *
  *     put every vertex in a queue by its cost
  *     while faces > Faces or maxError < Error:

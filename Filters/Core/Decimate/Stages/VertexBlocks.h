@@ -9,8 +9,9 @@
  *                                     and whose neighbors are all in this block
  *     then, on one thread:   visit the rest
  *
- * Order and blocks depend on the mesh alone, so that the result is the same for any number of threads. The
- * vertices of a cleaned surface lie along a curve that fills space: a block is a patch.
+ * Order and blocks depend on the mesh alone, so that the result is the same for any number of
+ * threads. The vertices of a cleaned surface lie along a curve that fills space: a block is a
+ * patch.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_VertexBlocks_h
 #define BoneDecimate_Core_Decimate_Stages_VertexBlocks_h
@@ -33,8 +34,9 @@ public:
   int Count() const { return static_cast<int>(this->Order.size() / this->BlockSize) + 2; }
 
   /**
-   * Calls visit(v) once for every live vertex that is not constrained; vertices visited at the same time have no common
-   * neighbors. `makeWorker()` makes the visitor of a block. False if the monitor requests a stop.
+   * Calls visit(v) once for every live vertex that is not constrained; vertices visited at the same
+   * time have no common neighbors. `makeWorker()` makes the visitor of a block. False if the
+   * monitor requests a stop.
    */
   template <typename MakeWorker>
   bool ForEach(
@@ -53,7 +55,8 @@ private:
   template <typename MakeWorker>
   bool VisitRest(const Monitor& monitor, const MakeWorker& makeWorker);
 
-  /// The vertices at these positions of the order; the first and the last range also include the ids outside of the order.
+  /// The vertices at these positions of the order; the first and the last range also include the
+  /// ids outside of the order.
   VertexRange RangeOf(Index first, Index last) const;
   bool IsInside(const HalfEdgeMesh& mesh, VertexId v, const Cut& cut) const;
 

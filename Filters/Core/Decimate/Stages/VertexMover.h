@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexMover.h
- * @brief One Gauss-Newton step of a vertex towards the original, kept only if the sampled two-sided error falls.
+ * @brief One Gauss-Newton step of a vertex towards the original, kept only if the sampled two-sided
+ * error falls.
  *
- *     gather the samples of the ring's faces and the nearest point of the original             (SampledErrorCost.h)
- *     solve for the step                                                                       (FitStep.h)
+ *     gather the samples of the ring's faces and the nearest point of the original
+ *       (SampledErrorCost.h)
+ *     solve for the step                                                                (FitStep.h)
  *     too little to gain:  do not move
- *     the error falls there, and no face turns away from the original:  move; else try half the step, then a quarter
+ *     the error falls there, and no face turns away from the original:  move; else try half the
+ *                                                                       step, then a quarter
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_VertexMover_h
 #define BoneDecimate_Core_Decimate_Stages_VertexMover_h

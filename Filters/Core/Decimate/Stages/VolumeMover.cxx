@@ -35,7 +35,8 @@ bool VolumeMover::Run(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// What replaces the volume of open components, which have none: that between the samples and the faces.
+/// What replaces the volume of open components, which have none: that between the samples and the
+/// faces.
 void VolumeMover::MeasureLost(const std::vector<Height>& heights)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -110,7 +111,8 @@ std::vector<VolumeMover::Height> VolumeMover::SampledHeights() const
 }
 
 //------------------------------------------------------------------------------
-/// mm^2: three times what a step of the vertex by 1 mm adds to the volume is its part along the step.
+/// mm^2: three times what a step of the vertex by 1 mm adds to the volume is its part along the
+/// step.
 Vector3 VolumeMover::RingArea(VertexId vertex) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

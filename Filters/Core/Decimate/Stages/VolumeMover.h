@@ -4,12 +4,15 @@
  * @file VolumeMover.h
  * @brief Gives components the volume back that edits took, by moves within the error bound.
  *
- *     of each vertex:   the mean distance of the samples in its faces from these faces, along its normal
+ *     of each vertex:   the mean distance of the samples in its faces from these faces, along its
+ *                       normal
  *     of each component that has lost volume, the vertices where most of it is missing first:
- *         move along the normal by that distance, or by half of it, where the faces then keep within the bound   (SlackMover)
+ *         move along the normal by that distance, or by half of it, where the faces then keep
+ *           within the bound   (SlackMover)
  *     until the component has its volume
  *
- * Moves that only lower the largest distance cut off more of convex parts than they add to concave ones.
+ * Moves that only lower the largest distance cut off more of convex parts than they add to concave
+ * ones.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_VolumeMover_h
 #define BoneDecimate_Core_Decimate_Stages_VolumeMover_h

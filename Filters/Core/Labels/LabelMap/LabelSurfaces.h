@@ -32,8 +32,8 @@ namespace bonedecimate
 {
 struct LabelSurfaceOptions
 {
-  std::vector<std::int64_t>
-    Labels; ///< All others count as background; empty: all labels that occur.
+  /// All others count as background; empty: all labels that occur.
+  std::vector<std::int64_t> Labels;
   std::int64_t Background = 0;
   /// Adds a voxel of background on all sides, so that surfaces are closed half a voxel outside of
   /// the outermost voxel centers. Without, surfaces end at these centers.
@@ -72,7 +72,8 @@ struct LabelSurfaces
 
 /**
  * @param image A direction that is orthogonal but for rounding (up to 1e-3) is replaced by the
- * nearest orthogonal one; the grid of the result tells it. Others are sheared grids and stay as they are.
+ * nearest orthogonal one; the grid of the result tells it. Others are sheared grids and stay as
+ * they are.
  * @throws std::bad_alloc and nothing else.
  */
 LabelSurfaces ExtractLabelSurfaces(

@@ -34,8 +34,8 @@ namespace bonedecimate
 struct VoxelGrid
 {
   Vector3 Origin = Vector3::Zero(); ///< mm, the center of voxel 0, 0, 0.
-  Vector3 Spacing =
-    Vector3::Ones(); ///< mm, positive; with Layers the third is the least distance of two.
+  /// mm, positive; with Layers the third is the least distance of two.
+  Vector3 Spacing = Vector3::Ones();
   /// Columns: unit vectors of the axes. Orthogonal unless the gantry was
   /// tilted, which shears the grid.
   Eigen::Matrix3d Direction = Eigen::Matrix3d::Identity();

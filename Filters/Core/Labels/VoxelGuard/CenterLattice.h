@@ -62,8 +62,8 @@ private:
   std::int64_t LayerCoordinate(std::int64_t index) const;
   std::int64_t LayerAtOrBelow(std::int64_t coordinate) const;
 
-  std::vector<std::int64_t>
-    Layers; // at least two, or none; beyond the ends the distance of the last two goes on
+  // at least two, or none; beyond the ends the distance of the last two goes on
+  std::vector<std::int64_t> Layers;
 };
 }
 

@@ -144,8 +144,8 @@ std::int64_t MaxBelow(const TrianglePlane& plane, std::int64_t low, std::int64_t
   const CenterLattice& lattice, std::size_t axis)
 {
   const std::int64_t first = lattice.AtOrAbove(axis, low);
-  const std::int64_t last =
-    lattice.AtOrAbove(axis, high) - 1; // a displaced center at the top is above
+  // a displaced center at the top is above
+  const std::int64_t last = lattice.AtOrAbove(axis, high) - 1;
   const auto liesBelow = [&](std::int64_t center)
   { return plane.LiesBelow(lattice.Coordinate(axis, center)); };
   std::int64_t below = GuessBelow(plane, first, last, lattice, axis);

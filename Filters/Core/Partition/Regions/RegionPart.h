@@ -46,8 +46,8 @@ struct RegionPart
   bonedecimate::Labels Labels;    ///< Labels of its triangles; empty: there are none.
 
   bonedecimate::Result Result;
-  std::vector<Index>
-    OldTriangle; ///< The unchanged triangle of each result triangle; None: it is new.
+  /// The unchanged triangle of each result triangle; None: it is new.
+  std::vector<Index> OldTriangle;
   /// For each point of the result the corner of unchanged triangles; None: of new ones alone.
   std::vector<Index> OldPoint;
 };

@@ -104,8 +104,8 @@ void CombineMeasured(const RegionParts& parts, Report& report)
     CombineDistances(report.Output, parts, { &Report::OutputToInput, &Report::Output });
   report.InputToOutput =
     CombineDistances(report.Input, parts, { &Report::InputToOutput, &Report::Input });
-  report.BoundariesMeasured =
-    report.Input.BoundaryEdges > 0 && report.Requested.MergePoints; // others are not compared
+  // others are not compared
+  report.BoundariesMeasured = report.Input.BoundaryEdges > 0 && report.Requested.MergePoints;
 }
 
 /// The largest bounds. Beyond the reach of a part there is more of the surface, so

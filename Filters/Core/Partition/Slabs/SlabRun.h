@@ -38,8 +38,8 @@ struct SlabAxis
 
 struct Slab
 {
-  bonedecimate::Surface
-    Surface;        ///< mm; points in the planes have the same coordinates in both slabs.
+  /// mm; points in the planes have the same coordinates in both slabs.
+  bonedecimate::Surface Surface;
   double Top = 0.0; ///< mm along the axis, of its upper plane; above that of the slab before.
   /// Labels of its triangles, as in LabelMapSource::OfTriangle; empty in
   /// all slabs: there is one label.

@@ -46,8 +46,8 @@ struct ZoneInput
 
 struct ZoneResult
 {
-  bonedecimate::Result
-    Run; ///< Its surface is the new strip, of use if the status of the report is good.
+  /// Its surface is the new strip, of use if the status of the report is good.
+  bonedecimate::Result Run;
   ProvedDistance OriginalToResult; ///< mm, of the original within the largest error of the zone.
   ProvedDistance ResultToOriginal; ///< mm, of the changed triangles.
   ProofStatus Proof{};

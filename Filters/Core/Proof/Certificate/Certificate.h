@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Certificate.h
- * @brief Proved bounds of the two-sided Hausdorff distance of two surfaces and of their boundaries, compared with a
+ * @brief Proved bounds of the two-sided Hausdorff distance of two surfaces and of their boundaries,
+ * compared with a
  *        tolerance. Reads two surfaces and nothing else.
  *
  *     reference, result    exact local frame, nothing merged, nothing dropped
  *     boundaries           edges of one triangle, after points of equal coordinates are merged
  *     bounds               of both directions, for surfaces and boundaries: Search.h
  *
- * Every bound is widened by its largest rounding error (Foot.h), so it holds for the surfaces as they are stored.
- * Documentation/certificate.md gives the proof step by step.
+ * Every bound is widened by its largest rounding error (Foot.h), so it holds for the surfaces as
+ * they are stored. Documentation/certificate.md gives the proof step by step.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_Certificate_h
 #define BoneDecimate_Core_Proof_Certificate_Certificate_h
@@ -31,10 +32,13 @@ enum class CertificateStatus : int
   Good = 0,
   EmptyReference, ///< No triangle.
   EmptyResult,
-  BadReference, ///< A triangle has a point index out of range, or a point that is not finite or beyond 1e30 mm.
+  /// A triangle has a point index out of range, or a point that is not finite or beyond 1e30 mm.
+  BadReference,
   BadResult,
-  BadTolerance, ///< The map does not have one entry for each point of the reference, or a tolerance is infinite or negative.
-  Aborted       ///< By the monitor.
+  /// The map does not have one entry for each point of the reference, or a tolerance is infinite or
+  /// negative.
+  BadTolerance,
+  Aborted ///< By the monitor.
 };
 
 enum class ProofStatus : int
@@ -45,20 +49,21 @@ enum class ProofStatus : int
   Undecided         ///< Neither was shown within MaxCuts or the limits of rounding.
 };
 
-/// The largest distance from one set to another, mm, or the largest excess of distance over tolerance.
+/// The largest distance from one set to another, mm, or the largest excess of distance over
+/// tolerance.
 struct DistanceBounds
 {
   double Lower = -std::numeric_limits<double>::infinity();
   double Upper = std::numeric_limits<double>::infinity();
   Vector3 Position = Vector3::Zero(); ///< mm, a point at which the distance is at least Lower
-  Index Triangle =
-    None; ///< that contains Position; None: the set is empty, or no point of it has a limit
+  /// that contains Position; None: the set is empty, or no point of it has a limit
+  Index Triangle = None;
   Index NearestTriangle = None; ///< of the other surface, nearest to Position
   std::int64_t Cuts = 0;        ///< number of cuts of pieces
 };
 
-/// Mean and root mean square of the distance over the area of one surface, mm. Errors are two standard errors; see
-/// MeanDistance.h.
+/// Mean and root mean square of the distance over the area of one surface, mm. Errors are two
+/// standard errors; see MeanDistance.h.
 struct MeanDistance
 {
   double Mean = 0.0;
@@ -69,7 +74,8 @@ struct MeanDistance
   std::int64_t Samples = 0;
 };
 
-/// The distance of each point of one surface to the other, and the side of the other surface on which it lies; see SideFinder.h.
+/// The distance of each point of one surface to the other, and the side of the other surface on
+/// which it lies; see SideFinder.h.
 struct SignedDistances
 {
   std::vector<double> Distance;  ///< mm; not a number for points beyond 1e30 mm or not finite
@@ -82,7 +88,8 @@ struct DirectedCertificate
   DistanceBounds Distance;
   MeanDistance Mean;      ///< with WithMeans, and only of surfaces
   SignedDistances Points; ///< with WithPointDistances, and only of surfaces
-  /// mm, for each triangle an upper bound of the distance of its points; with a triangle gap, and only of surfaces.
+  /// mm, for each triangle an upper bound of the distance of its points; with a triangle gap, and
+  /// only of surfaces.
   std::vector<double> TriangleUpper;
   DistanceBounds Excess; ///< of the distance over the tolerance map, if there is one
   ProofStatus Proof = ProofStatus::NotRequested;
@@ -101,16 +108,17 @@ struct CertificateOptions
   /// mm; not negative. Holds for every point, in both directions.
   std::optional<double> Tolerance;
   /**
-   * mm, at each point of the reference, linear on its triangles; may be empty. Negative or NaN: no limit but Tolerance,
-   * which also caps all others. From the result to the reference, the tolerance of a reference triangle is the least of
-   * its corners, and each point of the result has to be within the tolerance of one triangle. A triangle without a limit
-   * accepts all points.
+   * mm, at each point of the reference, linear on its triangles; may be empty. Negative or NaN: no
+   * limit but Tolerance, which also caps all others. From the result to the reference, the
+   * tolerance of a reference triangle is the least of its corners, and each point of the result has
+   * to be within the tolerance of one triangle. A triangle without a limit accepts all points.
    */
   std::vector<double> ToleranceMap;
-  /// Refine the bounds to the gap even where the tolerance is already proved. Without a tolerance they always are.
+  /// Refine the bounds to the gap even where the tolerance is already proved. Without a tolerance
+  /// they always are.
   bool TightBounds = true;
-  /// The bounds differ by at most this fraction of the upper one, by MinGap, or by 1e-9 of the largest coordinate,
-  /// unless MaxCuts ends the search first.
+  /// The bounds differ by at most this fraction of the upper one, by MinGap, or by 1e-9 of the
+  /// largest coordinate, unless MaxCuts ends the search first.
   double RelativeGap = 1e-6;
   double MinGap = 0.0; ///< mm; the search ends when the bounds are nearer to each other.
   /// Largest number of cuts in each direction; 0: 2^26 and sixteen for each triangle.
@@ -121,8 +129,8 @@ struct CertificateOptions
   bool WithMeans = false;          ///< Also compute mean and root mean square.
   double MeanPrecision = 1e-3;     ///< Relative; reached unless it takes more than 2^21 samples.
   bool WithPointDistances = false; ///< Also compute distance and side of each point.
-  /// mm; above 0: also compute an upper bound for each triangle, which exceeds its largest distance by at most this gap
-  /// unless the search for the triangle ends after 4,096 cuts.
+  /// mm; above 0: also compute an upper bound for each triangle, which exceeds its largest distance
+  /// by at most this gap unless the search for the triangle ends after 4,096 cuts.
   double ReferenceTriangleGap = 0.0;
   double ResultTriangleGap = 0.0;
   int NumberOfThreads = 0; ///< 0: one per processor; the result does not depend on it
@@ -135,7 +143,8 @@ struct Certificate
   DirectedCertificate ReferenceToResult;
   DirectedCertificate ResultToReference;
   BoundaryPresence Boundaries = BoundaryPresence::Neither;
-  /// Curve to curve. All bounds are 0 if neither surface has boundaries, and infinite if only one has.
+  /// Curve to curve. All bounds are 0 if neither surface has boundaries, and infinite if only one
+  /// has.
   DirectedCertificate BoundaryOfReferenceToResult;
   DirectedCertificate BoundaryOfResultToReference;
   double Slack = 0.0; ///< mm, by which the bounds are widened for rounding; included in them
@@ -147,7 +156,8 @@ struct Certificate
 };
 
 /**
- * @param reference The surface to which a tolerance map belongs. Any triangles are allowed: without area, not manifold,
+ * @param reference The surface to which a tolerance map belongs. Any triangles are allowed: without
+ *   area, not manifold,
  *        with repeated points. Points that no triangle uses are ignored.
  * @throws std::bad_alloc and nothing else.
  */

@@ -9,7 +9,8 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// From this depth on, every third cut halves the longest edge, so that pieces shrink whatever the candidates are.
+/// From this depth on, every third cut halves the longest edge, so that pieces shrink whatever the
+/// candidates are.
 constexpr int FirstHalving = 12;
 /// Size of a piece after about four cuts, as a fraction of the longest edge.
 constexpr double LengthRatioAfterFewCuts = 0.15;
@@ -19,7 +20,8 @@ constexpr double MaxWeight = 1.0 - 1e-6;
 /// A cut nearer to an end than this fraction of the edge makes slivers: the edge is halved instead.
 constexpr double MinFraction = 1.0 / 32.0;
 constexpr int MaxSecants = 6;
-/// Values of candidates are equal if they differ by less than this fraction of their distance to the closing bound.
+/// Values of candidates are equal if they differ by less than this fraction of their distance to
+/// the closing bound.
 constexpr double EqualEnough = 0.05;
 
 }
@@ -66,7 +68,8 @@ CutChoice::Edge CutChoice::LongestEdge(const Piece& piece)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a few cuts make the pieces so small that they are closed by their size, wherever they are cut.
+/// Whether a few cuts make the pieces so small that they are closed by their size, wherever they
+/// are cut.
 bool CutChoice::ClosesBySize(const Piece& piece, double longest) const
 {
   double most = -Infinity;

@@ -32,13 +32,15 @@ struct Piece
   int Depth = 0;
 };
 
-/// Barycentric weights of the new corner, sum 1; the piece is cut into one part for each positive weight.
+/// Barycentric weights of the new corner, sum 1; the piece is cut into one part for each positive
+/// weight.
 using CutWeights = std::array<double, 3>;
 
 class CutChoice
 {
 public:
-  /// @param goal mm; a piece is closed if its excess, widened by the slack, is proved not to exceed this.
+  /// @param goal mm; a piece is closed if its excess, widened by the slack, is proved not to exceed
+  ///   this.
   CutChoice(const Target& target, double goal, double slack)
     : To(target)
     , ClosingBound(goal)
@@ -47,10 +49,11 @@ public:
   }
 
   /**
-   * Cuts the longest edge in the middle while pieces can be closed by their size. Otherwise cuts at a vertex that lies
-   * under the piece and belongs to several candidates, or on the longest edge whose ends have no common candidate, at
-   * the point where both candidates are equally far. Each part then lies over one candidate, and the bounds become
-   * exact, after finitely many cuts where both surfaces are flat.
+   * Cuts the longest edge in the middle while pieces can be closed by their size. Otherwise cuts at
+   * a vertex that lies under the piece and belongs to several candidates, or on the longest edge
+   * whose ends have no common candidate, at the point where both candidates are equally far. Each
+   * part then lies over one candidate, and the bounds become exact, after finitely many cuts where
+   * both surfaces are flat.
    */
   CutWeights Choose(const Piece& piece) const;
 

@@ -13,7 +13,8 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// A number of 64 bits in which every bit depends on all bits of the coordinates. Both zeros have the same number.
+/// A number of 64 bits in which every bit depends on all bits of the coordinates. Both zeros have
+/// the same number.
 std::uint64_t HashOf(const Vector3& p)
 {
   std::uint64_t hash = 0;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeSides.h
- * @brief The neighbor across each side of a triangle, and the boundary edges, which have exactly one triangle. Points of
+ * @brief The neighbor across each side of a triangle, and the boundary edges, which have exactly
+ * one triangle. Points of
  *        equal coordinates are merged.
  *
  * Triangles that use a point twice have no edges; those of three collinear points have three.
@@ -20,7 +21,8 @@ namespace bonedecimate::certificate
 constexpr Index Boundary = None; ///< There is no neighbor.
 constexpr Index NotRegular = -2; ///< There are several neighbors, or one of opposite orientation.
 
-/// For each triangle the neighbors across the sides from each corner to the next one, or one of the values above.
+/// For each triangle the neighbors across the sides from each corner to the next one, or one of the
+/// values above.
 using EdgeSides = std::vector<std::array<Index, 3>>;
 
 EdgeSides FindEdgeSides(

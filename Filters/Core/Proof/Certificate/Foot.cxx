@@ -8,7 +8,8 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// The foot is refined until the bounds agree to this fraction of the distance, or of the distance to the farthest corner.
+/// The foot is refined until the bounds agree to this fraction of the distance, or of the distance
+/// to the farthest corner.
 constexpr double RelativeTolerance = 1e-8;
 constexpr double ToleranceOfExtent = 1e-14;
 constexpr int MaxRefinements = 4;
@@ -51,7 +52,8 @@ void Try(
   }
 }
 
-/// One step of iterative refinement towards the projection onto the plane. The residual is accurate enough for that.
+/// One step of iterative refinement towards the projection onto the plane. The residual is accurate
+/// enough for that.
 Weights Step(const Vector3& p, const Corners& corners, const Weights& weights, const Foot& foot)
 {
   const Vector3 ab = corners[1] - corners[0];
@@ -121,8 +123,8 @@ Foot FindFoot(const Vector3& p, const Corners& corners)
   return foot;
 }
 
-/// Near the triangle the direction from the foot is mostly rounding error. Directions perpendicular to an edge or to the
-/// plane are more accurate.
+/// Near the triangle the direction from the foot is mostly rounding error. Directions perpendicular
+/// to an edge or to the plane are more accurate.
 double DistanceFromBelow(const Vector3& p, const Corners& corners, const Foot& foot)
 {
   const Vector3 rest = p - foot.Position;

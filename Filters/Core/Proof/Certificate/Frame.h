@@ -4,10 +4,10 @@
  * @file Frame.h
  * @brief The local frame of two surfaces, and their simplices in it.
  *
- * Along each axis the coordinate nearest to 0 is subtracted if all are of its sign and at most twice as far: the
- * difference is then exact (P. H. Sterbenz, Floating-point computation, 1974). Otherwise nothing is subtracted, and no
- * coordinate is farther from 0 than twice the size of both surfaces. Points are equal in the frame if and only if they are
- * equal in the input.
+ * Along each axis the coordinate nearest to 0 is subtracted if all are of its sign and at most
+ * twice as far: the difference is then exact (P. H. Sterbenz, Floating-point computation, 1974).
+ * Otherwise nothing is subtracted, and no coordinate is farther from 0 than twice the size of both
+ * surfaces. Points are equal in the frame if and only if they are equal in the input.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_Frame_h
 #define BoneDecimate_Core_Proof_Certificate_Frame_h
@@ -31,7 +31,8 @@ Frame FindFrame(const Surface& reference, const Surface& result);
 /// @param sides Of the surface; kept.
 Simplices WholeSurface(const Surface& surface, const EdgeSides& sides, const Frame& frame);
 
-/// The part with a limit: of each simplex the corners with a finite limit, as a triangle, segment or point.
+/// The part with a limit: of each simplex the corners with a finite limit, as a triangle, segment
+/// or point.
 Simplices LimitedPart(const Simplices& whole, const std::vector<double>& limit);
 
 struct BoundarySet

@@ -140,8 +140,8 @@ std::size_t JointCover::Groups() const
 }
 
 //------------------------------------------------------------------------------
-/// Squared distances to the candidates from the first one on. In the plane of a candidate, to the nearest side, or none if the
-/// foot is on the inner side of all three.
+/// Squared distances to the candidates from the first one on. In the plane of a candidate, to the
+/// nearest side, or none if the foot is on the inner side of all three.
 void JointCover::Measure(Corner& corner, std::size_t first) const
 {
   const double x = corner.Position[0];
@@ -228,7 +228,8 @@ JointCover::Outcome JointCover::Run(double limit, std::size_t mostCorners)
 }
 
 //------------------------------------------------------------------------------
-/// Replaces the last open piece by its halves. False if no candidate is near the corner between them.
+/// Replaces the last open piece by its halves. False if no candidate is near the corner between
+/// them.
 bool JointCover::Halve(const Piece& piece)
 {
   const std::size_t edge = this->EdgeToHalve(piece);

@@ -2,20 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file JointCover.h
- * @brief An upper bound of the distance from a triangle T, or from parts of it, to a few other triangles, the candidates, that
+ * @brief An upper bound of the distance from a triangle T, or from parts of it, to a few other
+ * triangles, the candidates, that
  *        together are near all of it.
  *
- *     piece of T:  a candidate is within the limit of all three corners:    closed; its largest distance bounds the piece
- *                  else halve the longest edge whose ends have no candidate in common, or the longest edge:
- *                      no candidate is within the limit of the new corner:  the caller adds one, or raises the limit
+ *     piece of T:  a candidate is within the limit of all three corners:    closed; its largest
+ *       distance bounds the piece
+ *                  else halve the longest edge whose ends have no candidate in common, or the
+ *                    longest edge:
+ *                      no candidate is within the limit of the new corner:  the caller adds one, or
+ *                        raises the limit
  *
- * Proof. The pieces cover T. The distance to one triangle is a convex function, so on a piece it is largest at a corner. The
- * distance to all candidates is not larger. Any candidates are valid: a poor choice closes fewer pieces.
+ * Proof. The pieces cover T. The distance to one triangle is a convex function, so on a piece it is
+ * largest at a corner. The distance to all candidates is not larger. Any candidates are valid: a
+ * poor choice closes fewer pieces.
  *
- * Rounding. A candidate is measured in coordinates of its own, of which two lie in its plane. Their axes are orthogonal but for a
- * few u, for needles, too, so distances to the plane and to the sides are wrong by less than 100 u of the extent. A foot on the
- * inner side of all sides by more than the slack is in the triangle. Of the corners each is the middle of two others, at most
- * MaxCorners times in a row (Foot.h).
+ * Rounding. A candidate is measured in coordinates of its own, of which two lie in its plane. Their
+ * axes are orthogonal but for a few u, for needles, too, so distances to the plane and to the sides
+ * are wrong by less than 100 u of the extent. A foot on the inner side of all sides by more than
+ * the slack is in the triangle. Of the corners each is the middle of two others, at most MaxCorners
+ * times in a row (Foot.h).
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_JointCover_h
 #define BoneDecimate_Core_Proof_Certificate_JointCover_h
@@ -47,11 +53,13 @@ public:
   /// Starts without candidates and with nothing to cover.
   /// @param slack mm, more than the rounding error of a coordinate in the frame of a candidate.
   void Begin(double slack);
-  /// Adds a convex polygon to what is to be covered.  @param count Of all polygons, at most MaxCorners.
+  /// Adds a convex polygon to what is to be covered.  @param count Of all polygons, at most
+  ///                                                  MaxCorners.
   void Cover(const Vector3* corners, std::size_t count);
   /// Adds a part that is known to have this bound, mm.
   void Raise(double upper);
-  /// Unless it is one already.  @param id By which the caller knows it.  @return False if there are too many.
+  /// Unless it is one already.  @param id By which the caller knows it.  @return False if there are
+  ///                                                                     too many.
   bool Add(const Corners& candidate, Index id);
   bool Has(Index id) const;
 
@@ -88,7 +96,8 @@ private:
   std::size_t Count = 0;    // of candidates
   std::size_t Given = 0;    // corners
   std::size_t Measured = 0; // to how many of them, a whole number of groups, distances are known
-  // For each candidate the first corner, mm, the axes of its frame, of which the third is the normal, and its sides in it.
+  // For each candidate the first corner, mm, the axes of its frame, of which the third is the
+  // normal, and its sides in it.
   std::array<PerCandidate<double>, 3> A, U, V, W;
   std::array<PerCandidate<double>, 3> AlongU, AlongV; // directions of the sides
   std::array<PerCandidate<double>, 3> Middle, Half,

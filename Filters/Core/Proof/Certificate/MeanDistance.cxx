@@ -50,7 +50,8 @@ struct Sums
   }
 };
 
-/// The number of samples that is likely to reach the precision; 0 if it is reached, or the maximum was taken.
+/// The number of samples that is likely to reach the precision; 0 if it is reached, or the maximum
+/// was taken.
 std::size_t NextCount(std::size_t count, const MeanDistance& mean, double precision)
 {
   const auto isReached = [&](double factor)

@@ -22,7 +22,8 @@ constexpr std::size_t MaxFarCorners = 60;
 /// Relative error of a predicate and of the clipped coordinates, about 90 u.
 constexpr double PredicateError = 1e-14;
 constexpr double ClipMargin = 1e-14;
-/// The position in T at which layers are counted; any position off the images of the edges is valid.
+/// The position in T at which layers are counted; any position off the images of the edges is
+/// valid.
 constexpr double CountedB = 0.3279;
 constexpr double CountedC = 0.3391;
 

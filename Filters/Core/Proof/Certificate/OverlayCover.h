@@ -2,25 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OverlayCover.h
- * @brief An upper bound of the distance from a triangle T to a surface of which a connected part covers T. It needs no cuts.
+ * @brief An upper bound of the distance from a triangle T to a surface of which a connected part
+ * covers T. It needs no cuts.
  *
- *     map the plane of T to coordinates (b, c) and each point of the surface to the coordinates where a line through it, in the
+ *     map the plane of T to coordinates (b, c) and each point of the surface to the coordinates
+ *       where a line through it, in the
  *     direction of the mean normal of the surface near the corners of T, meets that plane
  *     from triangles of the surface near the corners, cross every edge whose image meets T
  *         an edge that does not have exactly two triangles:                          no bound
  *     an even number of images over one position in T:                               no bound
- *     else the images cover T; the bound of each part, the overlay of T and an image, is the largest distance between a corner
+ *     else the images cover T; the bound of each part, the overlay of T and an image, is the
+ *       largest distance between a corner
  *     of the part and the point of the surface that has this image
  *
- * Proof. Every edge of the visited triangles whose image meets T belongs to two of them, so no position in T is on the
- * boundary of their chain (coefficients modulo 2), and the parity of the number of images is the same all over T. It is odd
- * at one position, so every position t of T is the image of a point x of the surface. On the overlay of T and one image,
- * t - x is affine, so |t - x| is largest at a corner. The parts cover T, so a part may be bounded in any other way.
+ * Proof. Every edge of the visited triangles whose image meets T belongs to two of them, so no
+ * position in T is on the boundary of their chain (coefficients modulo 2), and the parity of the
+ * number of images is the same all over T. It is odd at one position, so every position t of T is
+ * the image of a point x of the surface. On the overlay of T and one image, t - x is affine, so |t
+ * - x| is largest at a corner. The parts cover T, so a part may be bounded in any other way.
  *
- * Rounding. The map is defined by the computed coordinates of the points and is linear on each triangle; the proof holds for
- * any x - t. Predicates are exact comparisons of these coordinates or have an error bound, and in doubt an edge meets T. An
- * image is clipped at T widened by ClipMargin, so that the polygon contains the exact one; its corners carry coordinates and
- * positions. T must not be thinner than MinHeight, so the rounding error of a corner is below 1000 u of the extent (Foot.h).
+ * Rounding. The map is defined by the computed coordinates of the points and is linear on each
+ * triangle; the proof holds for any x - t. Predicates are exact comparisons of these coordinates or
+ * have an error bound, and in doubt an edge meets T. An image is clipped at T widened by
+ * ClipMargin, so that the polygon contains the exact one; its corners carry coordinates and
+ * positions. T must not be thinner than MinHeight, so the rounding error of a corner is below 1000
+ * u of the extent (Foot.h).
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_OverlayCover_h
 #define BoneDecimate_Core_Proof_Certificate_OverlayCover_h
@@ -51,7 +57,8 @@ public:
     Index Nearest = None;     ///< the triangle of the surface
   };
 
-  /// @param seeds Triangles of the surface. If no image of them meets T, or too many parts are far, T is not covered.
+  /// @param seeds Triangles of the surface. If no image of them meets T, or too many parts are far,
+  ///   T is not covered.
   /// @param limit mm; parts with larger bounds are far.
   /// @return Whether T is covered.
   bool Find(const Corners& triangle, const Triangle& seeds, double limit);
@@ -62,7 +69,8 @@ public:
   const std::vector<Index>& Met() const { return this->Visited; }
 
 private:
-  /// A point of the surface and its image. The signed area coordinates of the image in T are 1 - B - C, B and C.
+  /// A point of the surface and its image. The signed area coordinates of the image in T are 1 - B
+  /// - C, B and C.
   struct Image
   {
     Vector3 Point; // mm
@@ -74,7 +82,8 @@ private:
     std::uint8_t Beyond = 0; // a bit for each side of T beyond which the image lies
   };
   using Shape = std::array<const KnownImage*, 3>;
-  /// A clipped triangle. Each clip adds a corner, or half as many again if rounding made the polygon concave.
+  /// A clipped triangle. Each clip adds a corner, or half as many again if rounding made the
+  /// polygon concave.
   struct Polygon
   {
     std::array<Image, 9> Corners;

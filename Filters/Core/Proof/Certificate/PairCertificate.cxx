@@ -18,7 +18,8 @@ namespace
 {
 constexpr std::int64_t MinMostCuts = std::int64_t{ 1 } << 26;
 constexpr std::int64_t CutsASimplex = 16;
-/// The least gap of the search, 1e-9 of the extent, and the least that can be reached: both bounds are widened by the slack.
+/// The least gap of the search, 1e-9 of the extent, and the least that can be reached: both bounds
+/// are widened by the slack.
 constexpr double SlacksOfGap = 2048.0;
 constexpr double FewestSlacks = 4.0;
 
@@ -106,7 +107,8 @@ public:
     }
     if (bounds.Proof == ProofStatus::Undecided && progress.GoesOn())
     {
-      // Unmoved parts with a tolerance of 0 have an excess of exactly 0: no gap is allowed above it.
+      // Unmoved parts with a tolerance of 0 have an excess of exactly 0: no gap is allowed above
+      // it.
       this->Goal.Decides = true;
       Tighten(bounds.Excess, this->Find(values, {}, progress.Next(0.0)));
       bounds.Proof = Evaluate(bounds.Excess, 0.0);
@@ -125,7 +127,8 @@ private:
     return enough < 0.0 || hasMore || !progress.GoesOn() ? values : this->Values(progress, 0.0);
   }
 
-  /// mm, for Values: well below what the largest distance is likely to be. Negative if more than that is needed of the values.
+  /// mm, for Values: well below what the largest distance is likely to be. Negative if more than
+  /// that is needed of the values.
   double Enough() const
   {
     const CertificateOptions& options = this->Task.Options;

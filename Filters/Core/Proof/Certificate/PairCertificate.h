@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PairCertificate.h
- * @brief Certifies both directions between two sets of triangles or of segments: distances, and excess over tolerances.
+ * @brief Certifies both directions between two sets of triangles or of segments: distances, and
+ * excess over tolerances.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_PairCertificate_h
 #define BoneDecimate_Core_Proof_Certificate_PairCertificate_h
@@ -29,7 +30,8 @@ struct PairCertificate
 };
 
 /**
- * @param limit mm, at each point of the reference, infinite where there is no limit; empty without a map.
+ * @param limit mm, at each point of the reference, infinite where there is no limit; empty without
+ *   a map.
  * @param weight Of this call in the whole progress, 0 to 1.
  */
 PairCertificate CertifyPair(const Simplices& reference, const Simplices& result,

@@ -9,12 +9,15 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Pieces of every other depth up to the first are bounded by a cover: deeper ones are so small that few triangles are over them.
+/// Pieces of every other depth up to the first are bounded by a cover: deeper ones are so small
+/// that few triangles are over them.
 constexpr int DeepestCover = 8;
 constexpr int CoverPeriod = 2;
-/// Triangles of an overlay that become candidates of a joint cover; the others are found while it is made.
+/// Triangles of an overlay that become candidates of a joint cover; the others are found while it
+/// is made.
 constexpr std::size_t MaxMet = 32;
-/// Largest distance of a point of a triangle, or of a segment, to its nearest corner, divided by the longest edge.
+/// Largest distance of a point of a triangle, or of a segment, to its nearest corner, divided by
+/// the longest edge.
 double CoveringRatio(int corners)
 {
   return corners == 3 ? 0.57735026918962584 : 0.5; // a little more than 1 / sqrt(3)
@@ -120,7 +123,8 @@ Piece PieceSearch::Whole(Index simplex) const
 }
 
 //------------------------------------------------------------------------------
-/// A simplex with the same coordinates in both sets has a distance of exactly 0, so no slack is added.
+/// A simplex with the same coordinates in both sets has a distance of exactly 0, so no slack is
+/// added.
 bool PieceSearch::CloseAsSame(const Piece& whole)
 {
   Corners positions;
@@ -172,8 +176,8 @@ void PieceSearch::Bound(Piece& piece, double parentUpper) const
 }
 
 //------------------------------------------------------------------------------
-/// The largest excess over one simplex, or the first one that is not below the given bound. It is reached at a corner because the
-/// distance is convex.
+/// The largest excess over one simplex, or the first one that is not below the given bound. It is
+/// reached at a corner because the distance is convex.
 double PieceSearch::UpperOver(const Piece& piece, Index simplex, double bound) const
 {
   double upper = -Infinity;
@@ -219,7 +223,8 @@ Index PieceSearch::LearnNear(const Vector3& position, Index hint, const Piece& p
 }
 
 //------------------------------------------------------------------------------
-/// Where the overlay is too far, a joint cover of these parts may be near, or else, or if it does not cover the piece, one of all.
+/// Where the overlay is too far, a joint cover of these parts may be near, or else, or if it does
+/// not cover the piece, one of all.
 void PieceSearch::BoundByCovers(Piece& piece, Index simplex)
 {
   const Corners positions = PositionsOf(piece);
@@ -243,7 +248,8 @@ void PieceSearch::BoundByCovers(Piece& piece, Index simplex)
 }
 
 //------------------------------------------------------------------------------
-/// Learns the distance where the overlay is farthest, and leaves what is still too far to the joint cover.
+/// Learns the distance where the overlay is farthest, and leaves what is still too far to the joint
+/// cover.
 void PieceSearch::BoundByOverlay(Piece& piece, Index simplex)
 {
   const std::vector<OverlayCover::Part>& parts = this->Cover->FarParts();
@@ -279,7 +285,8 @@ double PieceSearch::Limit() const
 }
 
 //------------------------------------------------------------------------------
-/// Lowers the bound of the piece if a few triangles cover it. Where they are too far, adds the nearest one or learns the distance.
+/// Lowers the bound of the piece if a few triangles cover it. Where they are too far, adds the
+/// nearest one or learns the distance.
 void PieceSearch::BoundJointly(Piece& piece, Index simplex)
 {
   for (bool goesOn = true; goesOn;)
@@ -298,7 +305,8 @@ void PieceSearch::BoundJointly(Piece& piece, Index simplex)
 }
 
 //------------------------------------------------------------------------------
-/// Adds to the joint cover what is nearest to a corner, and its neighbors. False if neither the candidates nor the limit changed.
+/// Adds to the joint cover what is nearest to a corner, and its neighbors. False if neither the
+/// candidates nor the limit changed.
 bool PieceSearch::AddNearest(Index nearest, double limit)
 {
   if (this->Joint.Has(nearest))
@@ -364,7 +372,8 @@ PieceSearch::Parts PieceSearch::Divide(
 }
 
 //------------------------------------------------------------------------------
-/// Bounds the parts with the candidates known at the corners first. Queries the tree only if that does not close all parts.
+/// Bounds the parts with the candidates known at the corners first. Queries the tree only if that
+/// does not close all parts.
 void PieceSearch::Cut(const Piece& piece, Index simplex)
 {
   ++this->CutsMade;

@@ -28,7 +28,8 @@ public:
   double Explore(Index simplex, std::int64_t mostCuts);
 
   /// Searches one simplex independently of all others.
-  /// @return mm, an upper bound of the excess of this simplex, within the gap if that many cuts are enough.
+  /// @return mm, an upper bound of the excess of this simplex, within the gap if that many cuts are
+  ///   enough.
   double UpperOf(Index simplex, std::int64_t mostCuts);
 
   const MaxExcess& Largest() const { return this->Most; }

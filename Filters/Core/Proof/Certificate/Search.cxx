@@ -203,8 +203,8 @@ PointValues FindPointValues(const Simplices& source, const Target& target, bool 
   ForEachChunk(source.Size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      Index hint =
-        None; // what is near to a corner of the simplex, if that is known from this chunk
+      // what is near to a corner of the simplex, if that is known from this chunk
+      Index hint = None;
       for (std::size_t simplex = first; simplex < last; ++simplex)
       {
         for (const bool isKnown : { true, false })

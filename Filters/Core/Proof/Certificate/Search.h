@@ -7,21 +7,25 @@
  *     value of every corner                                lower = largest excess of a corner
  *     in rounds, each with 16 times as many cuts for each simplex as the previous one:
  *       for each simplex that is not closed yet, depth first:
- *         upper = least of  a. for a simplex F found nearest to one of the corners: largest excess over F of a corner
- *                           b. largest excess of a corner + how far a point of the piece can be from the corners
- *                           c, d. what covers by several simplices prove: OverlayCover.h, JointCover.h
+ *         upper = least of  a. for a simplex F found nearest to one of the corners: largest excess
+ *                           over F of a corner
+ *                           b. largest excess of a corner + how far a point of the piece can be
+ *                             from the corners
+ *                           c, d. what covers by several simplices prove: OverlayCover.h,
+ *                             JointCover.h
  *         upper <= goal: closed;   else cut an edge, find what is nearest to the new corner
  *     lower bound, again, by the distance to every simplex of the other set
  *
- * Excess: distance minus tolerance, which may be 0. Goal: the largest excess found so far plus the gap, or the value
- * CloseBelow below which the excess need not be known more precisely. Bound a holds because the distance to a convex set
- * is a convex function and the tolerance is linear: if it holds at three corners, it holds between them. It is exact as
- * soon as F is the nearest simplex of all corners, which is why edges are cut where two candidates are equally far.
- * Bound b holds because the distance is 1-Lipschitz. Wrong candidates make the search slower, never wrong.
+ * Excess: distance minus tolerance, which may be 0. Goal: the largest excess found so far plus the
+ * gap, or the value CloseBelow below which the excess need not be known more precisely. Bound a
+ * holds because the distance to a convex set is a convex function and the tolerance is linear: if
+ * it holds at three corners, it holds between them. It is exact as soon as F is the nearest simplex
+ * of all corners, which is why edges are cut where two candidates are equally far. Bound b holds
+ * because the distance is 1-Lipschitz. Wrong candidates make the search slower, never wrong.
  *
- * H. Alt, P. Brass, M. Godau, C. Knauer, C. Wenk, Computing the Hausdorff distance of geometric patterns and shapes,
- * 2003: where maxima lie. M. Tang, M. Lee, Y. J. Kim, Interactive Hausdorff distance computation for general polygonal
- * models, 2009: bounds of pieces between surfaces.
+ * H. Alt, P. Brass, M. Godau, C. Knauer, C. Wenk, Computing the Hausdorff distance of geometric
+ * patterns and shapes, 2003: where maxima lie. M. Tang, M. Lee, Y. J. Kim, Interactive Hausdorff
+ * distance computation for general polygonal models, 2009: bounds of pieces between surfaces.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_Search_h
 #define BoneDecimate_Core_Proof_Certificate_Search_h
@@ -44,8 +48,8 @@ struct SearchGoal
   double MinGap = 0.0;      ///< mm; at least several slacks, or no piece is ever closed
   double Slack = 0.0;       ///< mm; see Slack()
   double Scale = 0.0;       ///< mm; added to the bound to which RelativeGap applies
-  bool Decides =
-    false; ///< Close no piece above CloseBelow as long as no excess above it was found.
+  /// Close no piece above CloseBelow as long as no excess above it was found.
+  bool Decides = false;
   std::int64_t MaxCuts = 0;
   int NumberOfThreads = 0;
 };

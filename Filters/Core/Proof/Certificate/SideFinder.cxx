@@ -19,7 +19,8 @@ double AngleBetween(const Vector3& a, const Vector3& b)
   {
     return 0.0;
   }
-  // The tangent of half the angle, of a quarter, an eighth, a sixteenth: at most tan(pi / 16), or a half for the first.
+  // The tangent of half the angle, of a quarter, an eighth, a sixteenth: at most tan(pi / 16), or a
+  // half for the first.
   const bool isObtuse = cosine < 0.0;
   double tangent = isObtuse ? (length + cosine) / sine : sine / (length + cosine);
   tangent = sine > 0.0 ? tangent : 0.0;

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SideFinder.h
- * @brief The side of a surface on which a point lies, by the pseudonormal at the nearest point: the normal of a triangle,
+ * @brief The side of a surface on which a point lies, by the pseudonormal at the nearest point: the
+ * normal of a triangle,
  *        the sum of two normals at an edge, the sum weighted by angles at a corner.
  *
- * J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal, 2005: with these, the
- * side is correct if the surface around the nearest point is closed and consistently oriented.
+ * J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal,
+ * 2005: with these, the side is correct if the surface around the nearest point is closed and
+ * consistently oriented.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_SideFinder_h
 #define BoneDecimate_Core_Proof_Certificate_SideFinder_h
@@ -25,8 +27,10 @@ public:
 
   /**
    * @param nearestTriangle A triangle that contains the point nearest to p.
-   * @return 1 on the side of the normals (outside), -1 on the other; 0 on the surface, and if the nearest point is on a
-   *         boundary, on an edge that is not manifold or not consistently oriented, or on triangles without area.
+   * @return 1 on the side of the normals (outside), -1 on the other; 0 on the surface, and if the
+   *   nearest point is on a
+   *         boundary, on an edge that is not manifold or not consistently oriented, or on triangles
+   *           without area.
    */
   int SideOf(const Vector3& p, Index nearestTriangle) const;
 
@@ -46,7 +50,8 @@ private:
 std::vector<signed char> FindSides(const std::vector<Vector3>& points,
   const std::vector<Index>& nearest, const Simplices& surface, int threads);
 
-/// The angle between two directions, rad, to 1e-8. Uses arithmetic and square roots only, so it is the same on all systems.
+/// The angle between two directions, rad, to 1e-8. Uses arithmetic and square roots only, so it is
+/// the same on all systems.
 double AngleBetween(const Vector3& a, const Vector3& b);
 }
 

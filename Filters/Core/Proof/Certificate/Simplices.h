@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Simplices.h
- * @brief The sets between which distances are certified: triangles, or segments of boundaries, in a local frame.
+ * @brief The sets between which distances are certified: triangles, or segments of boundaries, in a
+ * local frame.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_Simplices_h
 #define BoneDecimate_Core_Proof_Certificate_Simplices_h
@@ -15,13 +16,14 @@
 
 namespace bonedecimate::certificate
 {
-/// A point set made of triangles, segments (third corner None) and points (second and third corner None).
+/// A point set made of triangles, segments (third corner None) and points (second and third corner
+/// None).
 struct Simplices
 {
   std::vector<Vector3> Points; ///< mm, in the local frame; may contain points that are not corners
   std::vector<Triangle> Corners; ///< indices into Points
-  std::vector<Index>
-    TriangleIds; ///< of the surface from which they come; empty: the index of the simplex
+  /// of the surface from which they come; empty: the index of the simplex
+  std::vector<Index> TriangleIds;
   const EdgeSides* Across = nullptr;  ///< of a surface; null: the simplices are not joined
   std::vector<double> PointTolerance; ///< mm, at each point, linear in between; empty: 0
 

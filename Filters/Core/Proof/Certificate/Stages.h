@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Stages.h
- * @brief Divides the progress of one monitor among consecutive stages. An abort ends all later stages, too.
+ * @brief Divides the progress of one monitor among consecutive stages. An abort ends all later
+ * stages, too.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_Stages_h
 #define BoneDecimate_Core_Proof_Certificate_Stages_h

@@ -21,7 +21,8 @@ Surface AsTriangles(const Simplices& simplices)
   return surface;
 }
 
-/// The largest distance along an axis from p to the bounding box of the corners, mm: a lower bound of the distance.
+/// The largest distance along an axis from p to the bounding box of the corners, mm: a lower bound
+/// of the distance.
 double DistanceToBox(const Vector3& p, const Corners& corners)
 {
   const Vector3 below = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - p;

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Target.h
- * @brief The set to which distances are certified. The value of a point to a simplex is its distance minus the tolerance of
+ * @brief The set to which distances are certified. The value of a point to a simplex is its
+ * distance minus the tolerance of
  *        the simplex; its value to the set is the least of these, mm.
  *
- * The tree only finds candidates. The value to any candidate is an upper bound of the value to the set. The lower bound at
- * the maximum is computed from all simplices, without the tree.
+ * The tree only finds candidates. The value to any candidate is an upper bound of the value to the
+ * set. The lower bound at the maximum is computed from all simplices, without the tree.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_Target_h
 #define BoneDecimate_Core_Proof_Certificate_Target_h
@@ -32,7 +33,8 @@ public:
   /// Sets the tolerance of each simplex, mm.
   void SetTolerances(std::vector<double> tolerances);
 
-  /// For one worker; null if the simplices are no surface, and with tolerances, because the cover knows distances alone.
+  /// For one worker; null if the simplices are no surface, and with tolerances, because the cover
+  /// knows distances alone.
   std::shared_ptr<OverlayCover> BorrowCover() const;
 
   struct Candidate

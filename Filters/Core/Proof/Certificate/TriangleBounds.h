@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleBounds.h
- * @brief An upper bound of the distance of each triangle to the other surface, by the search of Search.h for one triangle.
+ * @brief An upper bound of the distance of each triangle to the other surface, by the search of
+ * Search.h for one triangle.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_TriangleBounds_h
 #define BoneDecimate_Core_Proof_Certificate_TriangleBounds_h

@@ -17,9 +17,10 @@
  * The order of the filters is part of the result: an edit is rejected for the first reason found,
  * and every Screen runs before any Check.
  *
- * Several workers call Screen, Check and Commit at the same time, each with a Pending of its own and on a part of the mesh of
- * its own. A filter that would have to read another part defers the edit. Or several edits are checked at the same time, each with a
- * Pending of its own and the whole mesh as its part, and committed afterwards, one after the other: Decimate/Schedule/BatchSweep.h.
+ * Several workers call Screen, Check and Commit at the same time, each with a Pending of its own
+ * and on a part of the mesh of its own. A filter that would have to read another part defers the
+ * edit. Or several edits are checked at the same time, each with a Pending of its own and the whole
+ * mesh as its part, and committed afterwards, one after the other: Decimate/Schedule/BatchSweep.h.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_EditFilter_h
 #define BoneDecimate_Core_Proof_EditFilters_EditFilter_h

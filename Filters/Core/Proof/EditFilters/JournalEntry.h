@@ -29,8 +29,8 @@ struct JournalEntry
   VertexId Keep, Gone;
   Vector3 NewPosition = Vector3::Zero();     ///< mm, of Keep.
   std::array<std::array<Index, 3>, 2> Twins; ///< Twins of the edges of the removed faces.
-  std::array<HalfEdgeId, 4>
-    Outgoing;          ///< Before the edit, of Keep, Gone and the apexes of the removed faces.
+  /// Before the edit, of Keep, Gone and the apexes of the removed faces.
+  std::array<HalfEdgeId, 4> Outgoing;
   Index Before = None; ///< The edit before this one that merged into Keep.
   Index FirstFace = 0; ///< First of the face versions that it replaced, removed faces first.
   std::uint16_t NumberOfFaces = 0;

@@ -25,8 +25,8 @@ public:
   BoundaryProof::Segment Ends(Index edge) const;
   double Distance(const Vector3& p, Index edge) const; ///< mm
 
-  /// The edges before and after; None at the curve's ends, where patch boundaries end, and at non-manifold
-  /// vertices.
+  /// The edges before and after; None at the curve's ends, where patch boundaries end, and at
+  /// non-manifold vertices.
   const std::array<Index, 2>& NeighborsOf(Index edge) const { return this->Neighbors[edge]; }
 
   /// Walks along the curve while the distance to p falls.

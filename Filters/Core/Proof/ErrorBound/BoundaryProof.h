@@ -4,8 +4,8 @@
  * @file BoundaryProof.h
  * @brief Whether every point of a segment lies within its limit of one of several segments, proved.
  *
- * As in CommonFaceProof.h: the distance to a segment is a convex function. So if both ends are near a common segment, all
- * points between them are; otherwise both halves are proved.
+ * As in CommonFaceProof.h: the distance to a segment is a convex function. So if both ends are near
+ * a common segment, all points between them are; otherwise both halves are proved.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_BoundaryProof_h
 #define BoneDecimate_Core_Proof_ErrorBound_BoundaryProof_h

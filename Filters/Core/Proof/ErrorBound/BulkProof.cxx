@@ -208,7 +208,8 @@ Index BulkProof::EditToUndo(const Failure& failure, const std::vector<Index>& cu
 }
 
 //------------------------------------------------------------------------------
-/// The last edit around the vertices into which its corners were merged; on the last edit of these more edits depend.
+/// The last edit around the vertices into which its corners were merged; on the last edit of these
+/// more edits depend.
 Index BulkProof::LastEditAt(Index original, const std::vector<Index>& current) const
 {
   Index last = None;

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BulkProof.h
- * @brief Proves a mesh that was made by unproved edits of a journal, all at once, by the provers of ErrorBound.
+ * @brief Proves a mesh that was made by unproved edits of a journal, all at once, by the provers of
+ * ErrorBound.
  *
  *     face:      as it was before the first edit of the journal, or proved by FaceProof
  *     original:  its covering faces before the first edit are all as they were, or
- *                faces near its corners cover it                                                        (OriginalProof)
- *     again:     after edits were undone, only faces that are not those proved, and originals that such a face covers
+ *                faces near its corners cover it                                    (OriginalProof)
+ *     again:     after edits were undone, only faces that are not those proved, and originals that
+ *                such a face covers
  *
  * A face is the one that was proved if its last edit in the journal is the same.
  */
@@ -28,20 +30,24 @@ class BulkProof
 {
 public:
   /// @param bound Its coverage is that of the mesh before the first edit of the journal.
-  /// @param limits Of the original, for what has changed; not above those of the bound. Must outlive this object.
+  /// @param limits Of the original, for what has changed; not above those of the bound. Must
+  ///   outlive this object.
   BulkProof(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
     const EditJournal& journal, int threads);
 
-  /// Proves what has changed since the last call. For each face and original that is not proved, the last edit to undo.
+  /// Proves what has changed since the last call. For each face and original that is not proved,
+  /// the last edit to undo.
   /// @param current Of each original vertex the vertex of the mesh into which it was merged.
   std::vector<Index> FindFailures(const std::vector<Index>& current);
 
-  /// Proves these originals by the faces as they are, where none has covered any, and makes the proofs the coverage of the bound.
+  /// Proves these originals by the faces as they are, where none has covered any, and makes the
+  /// proofs the coverage of the bound.
   /// @return Those that are not proved.
   std::vector<Index> CoverFirst(
     const std::vector<char>& originals, const std::vector<Index>& current);
 
-  /// Makes the proofs the coverage of the bound. There must be no failures. The journal may be gone.
+  /// Makes the proofs the coverage of the bound. There must be no failures. The journal may be
+  /// gone.
   void WriteCoverage();
 
 private:

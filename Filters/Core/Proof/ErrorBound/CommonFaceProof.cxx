@@ -18,7 +18,8 @@ constexpr double MinFraction = 0.02;
 /// If a weight is nearer to zero than this, the point is on the side of the face.
 constexpr double OnSide = 1e-9;
 
-/// Where a weight that falls from the first to the second value reaches zero; 1 if it ends inside, wherever it began.
+/// Where a weight that falls from the first to the second value reaches zero; 1 if it ends inside,
+/// wherever it began.
 double ZeroOf(double first, double second)
 {
   return second >= -OnSide ? 1.0 : first > 0.0 ? first / (first - second) : 0.0;
@@ -175,7 +176,8 @@ CommonFaceProof::Corner CommonFaceProof::Between(const Corner& from, const Corne
 }
 
 //------------------------------------------------------------------------------
-/// The farthest that a face near the start lies below the edge; the middle if that is too near to an end.
+/// The farthest that a face near the start lies below the edge; the middle if that is too near to
+/// an end.
 double CommonFaceProof::ExitFraction(const Corner& from, const Corner& to) const
 {
   double farthest = 0.0;

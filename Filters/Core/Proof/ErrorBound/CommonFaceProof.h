@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CommonFaceProof.h
- * @brief Whether every point of a triangle lies within a limit of some of a few candidate faces, proved.
+ * @brief Whether every point of a triangle lies within a limit of some of a few candidate faces,
+ * proved.
  *
- * The distance to a face is a convex function: if all three corners are near enough to one face, so is every point
- * between them, and this holds for distance - limit, too, where the limit is linear on the triangle.
+ * The distance to a face is a convex function: if all three corners are near enough to one face, so
+ * is every point between them, and this holds for distance - limit, too, where the limit is linear
+ * on the triangle.
  *
  *     near(corner) = the candidates within the corner's limit and their own
  *     piece:  all three corners have a common candidate:   proved
- *             else split an edge whose ends have none where it leaves the prism over a face near its start,
+ *             else split an edge whose ends have none where it leaves the prism over a face near
+ *               its start,
  *             or the longest edge in the middle:
  *                 nothing near the new corner:       too far
  *                 else prove both halves, larger pieces first
@@ -70,8 +73,10 @@ public:
   /// mm^2, of the last point passed to FacesNear to a candidate.
   double SquaredDistance(std::size_t candidate) const { return this->Squared[candidate]; }
 
-  /// @param used Receives the candidates that prove it, added to those already set, which are preferred.
-  /// @param mostPieces Most pieces before the proof is given up: with too few, good edits are rejected.
+  /// @param used Receives the candidates that prove it, added to those already set, which are
+  ///   preferred.
+  /// @param mostPieces Most pieces before the proof is given up: with too few, good edits are
+  ///   rejected.
   CommonFaceResult Prove(const Piece& whole, Faces& used, std::size_t mostPieces);
   /// After TooFar, the point that was near no candidate.
   const Vector3& FarPosition() const { return this->Far; }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Coverage.h
- * @brief Which faces of the current mesh prove an original triangle, and which originals a face proves.
+ * @brief Which faces of the current mesh prove an original triangle, and which originals a face
+ * proves.
  *
- * An item is an original triangle, a covering element a current face that proves a part of it; the same class stores
- * boundary edges of both meshes. An item has eight slots, one cache line. The slots of one covering element form a linked
- * list. A worker may change an item only if its range contains all covering elements of the item, so it never changes the
- * list of another worker. The version of an item tells whether its slots have changed since it was read.
+ * An item is an original triangle, a covering element a current face that proves a part of it; the
+ * same class stores boundary edges of both meshes. An item has eight slots, one cache line. The
+ * slots of one covering element form a linked list. A worker may change an item only if its range
+ * contains all covering elements of the item, so it never changes the list of another worker. The
+ * version of an item tells whether its slots have changed since it was read.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_Coverage_h
 #define BoneDecimate_Core_Proof_ErrorBound_Coverage_h
@@ -26,7 +28,8 @@ class Coverage
 {
 public:
   static constexpr int SlotsPerItem = 8;
-  /// Counts changes. An edit changes an item at most 16 times, and a version is compared before the next edit of that item.
+  /// Counts changes. An edit changes an item at most 16 times, and a version is compared before the
+  /// next edit of that item.
   using Version = std::uint8_t;
 
   /// Makes a coverage without items.
@@ -83,7 +86,8 @@ public:
   }
 
 private:
-  /// item * SlotsPerItem + slot. It fits, because a mesh has at most a quarter of the range of Index as faces.
+  /// item * SlotsPerItem + slot. It fits, because a mesh has at most a quarter of the range of
+  /// Index as faces.
   using SlotId = std::uint32_t;
   static constexpr SlotId NoSlot = std::numeric_limits<SlotId>::max();
   struct Entry

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CoveringList.h
- * @brief The covering faces of each original while a draft is proved. Nearly all originals have one, so most of them are a number.
+ * @brief The covering faces of each original while a draft is proved. Nearly all originals have
+ * one, so most of them are a number.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_CoveringList_h
 #define BoneDecimate_Core_Proof_ErrorBound_CoveringList_h

@@ -219,7 +219,8 @@ bool DraftFilter::NewFacesAreNear(const ProposedEdit& edit, Pending& work) const
 }
 
 //------------------------------------------------------------------------------
-/// Where the separation is small, limits change from triangle to triangle, and few points say little.
+/// Where the separation is small, limits change from triangle to triangle, and few points say
+/// little.
 bool DraftFilter::FacesAreProved(
   const SurfaceChange& change, const WalkedSurface& original, Index nearest) const
 {

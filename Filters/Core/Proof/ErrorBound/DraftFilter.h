@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DraftFilter.h
- * @brief In place of ErrorBound while a draft is made: tests samples instead of proving. BulkProof.h proves the result.
+ * @brief In place of ErrorBound while a draft is made: tests samples instead of proving.
+ * BulkProof.h proves the result.
  *
  *     samples:   the vertices of the original and, where limits are small, the middles of its edges
  *     near:      within a fixed ratio of the limit there
@@ -27,12 +28,14 @@ class WalkedSurface;
 class DraftFilter : public EditFilter
 {
 public:
-  /// @param mesh Within the bound.  @param current Of each original vertex the vertex of the mesh into which it was merged.
+  /// @param mesh Within the bound.  @param current Of each original vertex the vertex of the mesh
+  ///   into which it was merged.
   /// @param limits Of the original; must outlive this object.
   DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
     const std::vector<Index>& current, int threads);
 
-  /// Faces that are not within the limits now stay as they are: for a mesh that is not the original.
+  /// Faces that are not within the limits now stay as they are: for a mesh that is not the
+  /// original.
   void KeepUnproved(const HalfEdgeMesh& mesh, int threads);
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EditProof.h
- * @brief What a Prover found about the edit that was checked last. It waits for its commit here, so that a few provers, whose memory is
+ * @brief What a Prover found about the edit that was checked last. It waits for its commit here, so
+ * that a few provers, whose memory is
  *        in proportion to the mesh, serve many edits.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_EditProof_h

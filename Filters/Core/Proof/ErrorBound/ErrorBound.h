@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ErrorBound.h
- * @brief No point of the original is farther than a limit from the result, and none of the result from the original.
+ * @brief No point of the original is farther than a limit from the result, and none of the result
+ * from the original.
  *        The limit may differ from vertex to vertex: ErrorLimits.h.
  *
  *     Prove(edit):   the new vertex lies within the limit of the original
- *                    every original that a changed face proved is proved again by the new faces   (CommonFaceProof)
- *                    every new face is proved by the original                                     (FaceProof)
+ *                    every original that a changed face proved is proved again by the new faces
+ *                      (CommonFaceProof)
+ *                    every new face is proved by the original                           (FaceProof)
  *                    the same for boundaries, curve to curve
  *     Commit(edit):  which face covers which original
  *
- * All proofs are against the original itself, so that no error adds up. A search that misses a candidate rejects the edit.
+ * All proofs are against the original itself, so that no error adds up. A search that misses a
+ * candidate rejects the edit.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_ErrorBound_h
 #define BoneDecimate_Core_Proof_ErrorBound_ErrorBound_h
@@ -48,8 +51,8 @@ struct ErrorBoundSettings
   double Error = std::numeric_limits<double>::infinity();
   PointRounding Rounding = {};      ///< Rounding of written points.
   Vector3 Origin = Vector3::Zero(); ///< mm, the position that points are rounded relative to.
-  /// mm, of each vertex of the mesh at first; negative or not a number: none of its own. Null: Error everywhere. Read
-  /// only when the guarantee is made.
+  /// mm, of each vertex of the mesh at first; negative or not a number: none of its own. Null:
+  /// Error everywhere. Read only when the guarantee is made.
   const std::vector<double>* Tolerances = nullptr;
   CutEdges Cuts = {}; ///< Cut edges of a run that continues an earlier one, before the first edit.
 
@@ -60,12 +63,13 @@ struct ErrorBoundSettings
 class ErrorBound : public EditFilter
 {
 public:
-  /// @param atFirst The mesh before the first edit. It must not change and, like the tree of its triangles, must outlive this
-  /// object.
+  /// @param atFirst The mesh before the first edit. It must not change and, like the tree of its
+  /// triangles, must outlive this object.
   ErrorBound(
     const HalfEdgeMesh& atFirst, const BoundingTree& tree, const ErrorBoundSettings& settings);
   /// For a run that continues an earlier one: nothing is covered before ProveStart (StartProof.h).
-  /// @param reference Must outlive this object.  @param mesh Before the first edit. Settings must have no tolerances.
+  /// @param reference Must outlive this object.  @param mesh Before the first edit. Settings must
+  ///   have no tolerances.
   ErrorBound(
     const ReferenceMesh& reference, const HalfEdgeMesh& mesh, const ErrorBoundSettings& settings);
   ~ErrorBound() override;
@@ -89,7 +93,8 @@ public:
   double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
   const ErrorLimits& Limits() const { return this->Allowed; }
 
-  /// Covers the boundaries of the original by those of the mesh, as ProveStart.  @return Triangles of edges that are not proved.
+  /// Covers the boundaries of the original by those of the mesh, as ProveStart.  @return Triangles
+  ///   of edges that are not proved.
   std::vector<Index> CoverBoundaries(const HalfEdgeMesh& mesh, const Zone* zone);
 
 private:
@@ -106,8 +111,8 @@ private:
   const CutEdges CutsOfSource;
   ErrorBoundSettings Settings;
   ErrorLimits Allowed; // a little less than the error: for the rounding of the proof itself
-  /// Like ByBoundaries and Witnesses, empty before the first edit is proved by itself: a draft needs the memory. Until then each
-  /// original is covered by the face that it was.
+  /// Like ByBoundaries and Witnesses, empty before the first edit is proved by itself: a draft
+  /// needs the memory. Until then each original is covered by the face that it was.
   Coverage ByFaces;
   std::mutex Building;                // held while the coverages are built
   BoundaryCurves Boundaries;          // of the original: the items of ByBoundaries
@@ -116,8 +121,8 @@ private:
   std::vector<Index> Nearest;         // of each vertex of the mesh: an original triangle near it
   /// Originals that could not be proved, the last one first.
   using Witness = std::array<Index, 4>;
-  mutable std::vector<Witness>
-    Witnesses; // of each vertex; checks write those of the ends of their edit
+  // of each vertex; checks write those of the ends of their edit
+  mutable std::vector<Witness> Witnesses;
   mutable WorkspacePool<Prover> Provers;
 };
 }

@@ -4,10 +4,10 @@
  * @file ErrorLimits.h
  * @brief Largest distance of the result at each point of the original, less the slack for rounding.
  *
- * At a vertex, the limit is the smaller of its tolerance and the overall error bound. On an original triangle it is linear,
- * so that distance - limit is a convex function. For distances to the original, a triangle has the least limit of its
- * corners. An infinite limit allows everything inside a triangle or edge at that corner. The certificate reads tolerance
- * maps in the same way.
+ * At a vertex, the limit is the smaller of its tolerance and the overall error bound. On an
+ * original triangle it is linear, so that distance - limit is a convex function. For distances to
+ * the original, a triangle has the least limit of its corners. An infinite limit allows everything
+ * inside a triangle or edge at that corner. The certificate reads tolerance maps in the same way.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_ErrorLimits_h
 #define BoneDecimate_Core_Proof_ErrorBound_ErrorLimits_h

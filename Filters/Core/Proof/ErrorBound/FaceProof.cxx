@@ -10,7 +10,8 @@ namespace
 {
 /// Largest number of pieces of one face.
 constexpr std::size_t MaximumPieces = 256;
-/// After so many halvings a piece usually has few enough input triangles around it for CommonFaceProof.
+/// After so many halvings a piece usually has few enough input triangles around it for
+/// CommonFaceProof.
 constexpr int HalvingsBeforeCommonFaces = 2;
 /// Parts that CommonFaceProof may make of a piece.
 constexpr std::size_t MaximumParts = 128;
@@ -103,8 +104,8 @@ CommonFaceResult FaceProof::ProveTogether(
 }
 
 //------------------------------------------------------------------------------
-/// Fills Around with the input triangles that are connected to the seed and may be within their limit of the piece; false if there
-/// are too many.
+/// Fills Around with the input triangles that are connected to the seed and may be within their
+/// limit of the piece; false if there are too many.
 bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, Index seed)
 {
   const Vector3 middle = (piece.Corners[0] + piece.Corners[1] + piece.Corners[2]) / 3.0;

@@ -4,9 +4,10 @@
  * @file OriginalProof.h
  * @brief Proves that faces of a mesh cover a triangle of the original.
  *
- *     near:      of each corner the nearest face, and those connected with it by faces within the limit
+ *     near:  of each corner the nearest face, and those connected with it by faces within the limit
  *     proved:    one face is within the limit of all three corners, or
- *                the faces near the corners and their neighbors cover it together         (CommonFaceProof)
+ *                the faces near the corners and their neighbors cover it together
+ *                  (CommonFaceProof)
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_OriginalProof_h
 #define BoneDecimate_Core_Proof_ErrorBound_OriginalProof_h
@@ -30,7 +31,8 @@ public:
   /// All must outlive this object.
   OriginalProof(const HalfEdgeMesh& source, const ErrorLimits& limits, const HalfEdgeMesh& mesh);
 
-  /// For these originals.  @param current Of each original vertex the vertex of the mesh into which it was merged.
+  /// For these originals.  @param current Of each original vertex the vertex of the mesh into which
+  ///                       it was merged.
   void FindNear(const std::vector<char>& originals, const std::vector<Index>& current, int threads);
   /// Frees its memory.
   void ForgetNear() { this->Near = std::vector<NearFaces>(); }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PieceCover.h
- * @brief Whether every point of a triangle or segment lies within the limits of something large, proved piece by piece.
+ * @brief Whether every point of a triangle or segment lies within the limits of something large,
+ * proved piece by piece.
  *
- *     piece:  every corner lies so far below the limit of what it is nearest to that the discs around the corners
- *             cover the piece:                                                                  proved
- *             what one corner is nearest to is within its limit of the other two, too:          proved
- *             a corner is farther than the limit:                                               rejected
+ *     piece:  every corner lies so far below the limit of what it is nearest to that the discs
+ *             around the corners
+ *             cover the piece:                                                               proved
+ *             what one corner is nearest to is within its limit of the other two, too:       proved
+ *             a corner is farther than the limit:                                          rejected
  *             else split the longest edge in the middle, and prove both halves
  *
  * Every point of a triangle is within longest edge / sqrt(3) of a corner, every point of a segment

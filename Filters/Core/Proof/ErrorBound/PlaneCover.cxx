@@ -19,7 +19,8 @@ struct Barycentric
   double B, C;
 };
 
-/// Where the projections are counted: any point of the face that edges are unlikely to pass through.
+/// Where the projections are counted: any point of the face that edges are unlikely to pass
+/// through.
 constexpr Barycentric Counted = { 0.3279, 0.3391 };
 
 /// Twice the area of p q r, and how wrong it may be.

@@ -2,17 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaneCover.h
- * @brief Whether the original lies over every point of a face, never farther than the limit: proved by a walk.
+ * @brief Whether the original lies over every point of a face, never farther than the limit: proved
+ * by a walk.
  *
- *     begin at an original triangle near the face, and cross every edge whose shadow on the face's plane meets the face
+ *     begin at an original triangle near the face, and cross every edge whose shadow on the face's
+ *       plane meets the face
  *     an edge without a twin that meets the face:                          no
  *     over the face a triangle farther away than the limit:                no
  *     an odd number of shadows over one point of the face:                 yes
  *
- * Where no edge of what was walked over ends the shadow within the face, the number of shadows over a point changes
- * only by even numbers: odd at one point, it is nowhere zero. Shadows are coordinates (b, c) of A + b AB + c AC, computed
- * once for each vertex; how far they are from being feet of perpendiculars is part of the distance that is
- * compared with the limit, so that their rounding does no harm.
+ * Where no edge of what was walked over ends the shadow within the face, the number of shadows over
+ * a point changes only by even numbers: odd at one point, it is nowhere zero. Shadows are
+ * coordinates (b, c) of A + b AB + c AC, computed once for each vertex; how far they are from being
+ * feet of perpendiculars is part of the distance that is compared with the limit, so that their
+ * rounding does no harm.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_PlaneCover_h
 #define BoneDecimate_Core_Proof_ErrorBound_PlaneCover_h
@@ -35,7 +38,8 @@ public:
   {
   }
 
-  /// @param seed An original triangle near the middle of the face.  @param limit Of an original triangle, mm.
+  /// @param seed An original triangle near the middle of the face.  @param limit Of an original
+  ///   triangle, mm.
   template <typename Limit>
   bool Prove(const std::array<Vector3, 3>& face, Index seed, const Limit& limit)
   {

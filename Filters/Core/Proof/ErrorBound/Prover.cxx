@@ -159,8 +159,9 @@ void Prover::Prepare()
 }
 
 //------------------------------------------------------------------------------
-/// An early rejection: removed vertices lie within the limit of the original, which must lie within the limit of the new
-/// faces. If they are farther from the new faces than most of the sum of both limits, a proof hardly ever succeeds.
+/// An early rejection: removed vertices lie within the limit of the original, which must lie within
+/// the limit of the new faces. If they are farther from the new faces than most of the sum of both
+/// limits, a proof hardly ever succeeds.
 bool Prover::EndsAreNear(const HalfEdgeMesh& mesh)
 {
   if (this->Change->Moved == None)
@@ -176,8 +177,8 @@ bool Prover::EndsAreNear(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-/// The items that caused the last rejections here are likely to cause the next one. Those with a covering face out of range are
-/// skipped: another worker may be changing that face.
+/// The items that caused the last rejections here are likely to cause the next one. Those with a
+/// covering face out of range are skipped: another worker may be changing that face.
 bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh, VertexRange range)
 {
   const auto isInRange = [&](FaceId face) { return FaceIsInRange(mesh, face, range); };
@@ -343,7 +344,8 @@ bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item)
 }
 
 //------------------------------------------------------------------------------
-/// Adds the remaining faces that prove the item as candidates after the new faces; returns their number.
+/// Adds the remaining faces that prove the item as candidates after the new faces; returns their
+/// number.
 std::size_t Prover::AddRemaining(const HalfEdgeMesh& mesh, const Item& item)
 {
   std::size_t remaining = 0;
@@ -362,7 +364,8 @@ std::size_t Prover::AddRemaining(const HalfEdgeMesh& mesh, const Item& item)
 }
 
 //------------------------------------------------------------------------------
-/// First their centroids and the middles of their new edges: hardly any face that cannot be proved passes.
+/// First their centroids and the middles of their new edges: hardly any face that cannot be proved
+/// passes.
 bool Prover::NewFacesAreNear()
 {
   const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);

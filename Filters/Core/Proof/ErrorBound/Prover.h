@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Prover.h
- * @brief Proves one edit after another for one worker: the steps of ErrorBound.h. Changes nothing but the witnesses of the ends.
+ * @brief Proves one edit after another for one worker: the steps of ErrorBound.h. Changes nothing
+ * but the witnesses of the ends.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_Prover_h
 #define BoneDecimate_Core_Proof_ErrorBound_Prover_h
@@ -23,7 +24,8 @@ class Prover
 public:
   explicit Prover(const ErrorBound& bound);
 
-  /// @param mesh Before the edit.  @param range What may be read and written. Deferred: what would have to be proved again is
+  /// @param mesh Before the edit.  @param range What may be read and written. Deferred: what would
+  ///   have to be proved again is
   /// proved outside of the range, too.  @param proof Of an accepted edit.
   Decision Prove(
     const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, EditProof& proof);

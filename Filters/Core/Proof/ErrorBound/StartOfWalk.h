@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StartOfWalk.h
- * @brief Walks over the current mesh from a vertex of any constraint to the face nearest to a point.
+ * @brief Walks over the current mesh from a vertex of any constraint to the face nearest to a
+ * point.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_StartOfWalk_h
 #define BoneDecimate_Core_Proof_ErrorBound_StartOfWalk_h

@@ -29,8 +29,9 @@ Vector3 Inward(const HalfEdgeMesh& mesh, HalfEdgeId h)
   return (inside - Dot(inside, along) * along).normalized();
 }
 
-/// Boundary edges with a search tree. An edge is a triangle of which two corners are equal. Edges of several patches may be at the
-/// same positions: of these, that of the triangle in the same direction is preferred.
+/// Boundary edges with a search tree. An edge is a triangle of which two corners are equal. Edges
+/// of several patches may be at the same positions: of these, that of the triangle in the same
+/// direction is preferred.
 class EdgeSearch
 {
 public:
@@ -74,7 +75,8 @@ public:
     return std::get<2>(best);
   }
 
-  /// Those that may be within the distance of a part of the segment, the nearest to both ends first.
+  /// Those that may be within the distance of a part of the segment, the nearest to both ends
+  /// first.
   std::vector<Index> FindAround(
     const BoundaryProof::Segment& ends, const Vector3& inward, double distance) const
   {

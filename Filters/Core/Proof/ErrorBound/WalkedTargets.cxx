@@ -13,8 +13,8 @@ PieceCover<2>::Corner WalkedBoundary::Find(const Vector3& p, Index hint) const
     from = best;
     for (const Index next : this->FeatureCurves.NeighborsOf(from))
     {
-      const double other =
-        next == None ? excess : this->Distance(p, next) - this->Limit(next); // mm
+      // mm
+      const double other = next == None ? excess : this->Distance(p, next) - this->Limit(next);
       best = other < excess ? next : best;
       excess = std::min(excess, other);
     }

@@ -4,8 +4,8 @@
  * @file WalkedTargets.h
  * @brief Searches for the nearest part of the original and of its boundaries, for PieceCover.
  *
- * If limits differ, the nearest part may not have the largest margin. If it is too far, the search continues with its
- * neighbors while the distance less the limit falls.
+ * If limits differ, the nearest part may not have the largest margin. If it is too far, the search
+ * continues with its neighbors while the distance less the limit falls.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_WalkedTargets_h
 #define BoneDecimate_Core_Proof_ErrorBound_WalkedTargets_h

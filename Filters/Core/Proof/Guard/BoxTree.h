@@ -64,8 +64,8 @@ private:
 
   std::vector<FloatBox> Boxes;
   std::size_t Leaves = 1; // a power of two
-  std::vector<FloatBox>
-    Nodes; // children of i: 2 i and 2 i + 1; the root is 1; without empty ones at the end
+  // children of i: 2 i and 2 i + 1; the root is 1; without empty ones at the end
+  std::vector<FloatBox> Nodes;
 };
 }
 

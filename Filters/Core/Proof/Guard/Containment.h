@@ -4,8 +4,9 @@
  * @file Containment.h
  * @brief Which components of a mesh lie within which others.
  *
- * A ray from one vertex of each component meets the triangles of a closed component that holds it an odd number of times, by exact predicates. Rays
- * that pass exactly through an edge are replaced by others.
+ * A ray from one vertex of each component meets the triangles of a closed component that holds it
+ * an odd number of times, by exact predicates. Rays that pass exactly through an edge are replaced
+ * by others.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_Containment_h
 #define BoneDecimate_Core_Proof_Guard_Containment_h

@@ -13,8 +13,8 @@ namespace
 {
 /// Cells along an axis are numbered by 21 bits; what lies beyond counts to the last.
 constexpr std::int32_t Farthest = (1 << 20) - 1;
-/// How many faces a cell is wide. Faces grow: in smaller cells they would soon be in too many, larger ones have parts of
-/// too many workers in them.
+/// How many faces a cell is wide. Faces grow: in smaller cells they would soon be in too many,
+/// larger ones have parts of too many workers in them.
 constexpr double FacesOfSide = 2.0;
 /// How far from the surface empty cells get an interval, in sides of a cell.
 constexpr double Margin = 0.25;
@@ -32,7 +32,8 @@ std::int32_t Floor(double coordinate) // in sides of a cell
   return static_cast<std::int32_t>(std::floor(std::clamp<double>(coordinate, -Farthest, Farthest)));
 }
 
-/// The cells that a triangle reaches into, column by column of the axis along which its plane is steepest.
+/// The cells that a triangle reaches into, column by column of the axis along which its plane is
+/// steepest.
 class Columns
 {
 public:
@@ -144,7 +145,8 @@ FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double leastCell)
 }
 
 //------------------------------------------------------------------------------
-/// Some faces on average, many more where few faces are so large that they would fill too many cells.
+/// Some faces on average, many more where few faces are so large that they would fill too many
+/// cells.
 double FaceGrid::CellFor(const HalfEdgeMesh& mesh, double least)
 {
   double lengths = 0.0; // mm
@@ -267,7 +269,8 @@ bool FaceGrid::OwnsAll(VertexRange range, const std::vector<Key>& cells) const
 }
 
 //------------------------------------------------------------------------------
-/// Safe while the owner extends the interval: before and after that, no other worker's range contains it.
+/// Safe while the owner extends the interval: before and after that, no other worker's range
+/// contains it.
 bool FaceGrid::Owns(VertexRange range, Key name) const
 {
   const Cell& cell = this->Cells[this->SlotOf(name)];

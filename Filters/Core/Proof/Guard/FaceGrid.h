@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FaceGrid.h
- * @brief The faces of the current mesh by the cells of space they reach into, for workers that edit side by side.
+ * @brief The faces of the current mesh by the cells of space they reach into, for workers that edit
+ * side by side.
  *
- *     cell:  its faces, and an interval of vertices that holds all corners of the faces that are or ever were in it
+ *     cell:  its faces, and an interval of vertices that holds all corners of the faces that are or
+ *            ever were in it
  *     a worker may look into a cell, and change it, only if its range holds the interval
  *
- * Intervals only grow, and only a worker whose range contains all of an interval extends it. So no cell changes its worker
- * during a parallel pass, and the result of each worker does not depend on the others. Cells around the surface have an
- * interval from the beginning, even empty ones; all other cells belong to a worker with the whole mesh. Cells are stored in
- * a hash table by position, so distant fragments cost no memory in between.
+ * Intervals only grow, and only a worker whose range contains all of an interval extends it. So no
+ * cell changes its worker during a parallel pass, and the result of each worker does not depend on
+ * the others. Cells around the surface have an interval from the beginning, even empty ones; all
+ * other cells belong to a worker with the whole mesh. Cells are stored in a hash table by position,
+ * so distant fragments cost no memory in between.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_FaceGrid_h
 #define BoneDecimate_Core_Proof_Guard_FaceGrid_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GapPairs.h
- * @brief Pairs of faces that face each other, or belong to two fragments, and are nearer than half the initial gap at their corners.
+ * @brief Pairs of faces that face each other, or belong to two fragments, and are nearer than half
+ * the initial gap at their corners.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_GapPairs_h
 #define BoneDecimate_Core_Proof_Guard_GapPairs_h

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GapRule.h
- * @brief Initial gap width at the original vertices that each vertex of the current mesh represents.
+ * @brief Initial gap width at the original vertices that each vertex of the current mesh
+ * represents.
  *
- *     at first:   the distance to the other fragments, and to what faces the vertex within its own fragment (PartTree.h)
+ *     at first:   the distance to the other fragments, and to what faces the vertex within its own
+ *                 fragment (PartTree.h)
  *     merged:     the smaller of both
  */
 #ifndef BoneDecimate_Core_Proof_Guard_GapRule_h

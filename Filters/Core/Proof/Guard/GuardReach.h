@@ -11,8 +11,8 @@ namespace bonedecimate
 {
 /// Both sides may move by the error; a gap that many errors wide always keeps half of its width.
 constexpr double ErrorsOfGap = 4.0;
-/// How far around what is edited a surface has to be known: both sides of a gap may move by one error, and a thousandth is for
-/// rounding.
+/// How far around what is edited a surface has to be known: both sides of a gap may move by one
+/// error, and a thousandth is for rounding.
 constexpr double ErrorsOfReach = ErrorsOfGap + 2.001;
 }
 

@@ -100,7 +100,8 @@ void IntersectionGuard::FindCells(Pending& work) const
 }
 
 //------------------------------------------------------------------------------
-/// Remaining faces whose box is within the reach of the gap rule or meets the box of a removed face.
+/// Remaining faces whose box is within the reach of the gap rule or meets the box of a removed
+/// face.
 void IntersectionGuard::FindNear(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const
 {
@@ -184,7 +185,8 @@ std::shared_ptr<EditFilter::Pending> IntersectionGuard::MakePending()
 }
 
 //------------------------------------------------------------------------------
-/// The first worker builds it. No edit is applied before: every worker needs a Pending for its first one.
+/// The first worker builds it. No edit is applied before: every worker needs a Pending for its
+/// first one.
 void IntersectionGuard::BuildGrid()
 {
   const std::lock_guard<std::mutex> lock(this->Building);
@@ -239,7 +241,8 @@ double IntersectionGuard::Reach(const EditFilter::Pending& pending) const
 }
 
 //------------------------------------------------------------------------------
-/// Duplicates have one gap. An edit at one of them changes that of faces at the others, which may reach far away from the edit.
+/// Duplicates have one gap. An edit at one of them changes that of faces at the others, which may
+/// reach far away from the edit.
 bool IntersectionGuard::StillAccepts(
   const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
 {

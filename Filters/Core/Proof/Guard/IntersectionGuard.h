@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file IntersectionGuard.h
- * @brief No edit lets triangles meet that did not meet before, nor narrows a gap to less than half of what it was.
+ * @brief No edit lets triangles meet that did not meet before, nor narrows a gap to less than half
+ * of what it was.
  *
- *     near    = faces of the current mesh near the new ones                                          (FaceGrid)
- *     meet:     pairs of a new face with one that is near, or of two new ones, that meet             (Piece)
+ *     near    = faces of the current mesh near the new ones                              (FaceGrid)
+ *     meet:     pairs of a new face with one that is near, or of two new ones, that meet    (Piece)
  *               rejected if there are more of them than of pairs with the faces that go
  *     gap:      a pair that faces each other, or of two fragments, and has no corner in common
- *               rejected if it is nearer than half the initial gap at its corners                     (GapRule)
+ *               rejected if it is nearer than half the initial gap at its corners         (GapRule)
  *               and nearer than the faces that go were
- *     jump:     rejected if a corner of what is near lies between the faces that go and the new ones  (Piece)
+ *     jump:     rejected if a corner of what is near lies between the faces that go and the new
+ *       ones  (Piece)
  *
  * The edits of a draft are checked together, in the mesh that is left (StateCheck.h).
  */
@@ -32,8 +34,10 @@ namespace bonedecimate
 class IntersectionGuard : public EditFilter
 {
 public:
-  /// @param mesh Must outlive this object; its faces are sorted into the grid before the first edit.
-  /// @param surface Of which the mesh was made, its manifold patches joined.  @param error mm, how far the surface may move.
+  /// @param mesh Must outlive this object; its faces are sorted into the grid before the first
+  ///   edit.
+  /// @param surface Of which the mesh was made, its manifold patches joined.  @param error mm, how
+  ///   far the surface may move.
   /// @param written Whether triangles meet is decided where they will be written.
   /// @param guardsGaps Whether gaps are measured; otherwise only intersections are rejected.
   IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface,

@@ -146,7 +146,8 @@ double PartTree::SquaredDistance(const Node& a, const Node& b)
 }
 
 //------------------------------------------------------------------------------
-/// Visits the triangles of all wanted leaves within the limit, which may fall meanwhile; near ones first.
+/// Visits the triangles of all wanted leaves within the limit, which may fall meanwhile; near ones
+/// first.
 template <typename Wants, typename Visit>
 void PartTree::Walk(
   const Vector3& p, const double& squaredLimit, const Wants& wants, const Visit& visit) const
@@ -201,7 +202,8 @@ double PartTree::ToOtherPart(const Vector3& p, Index part, double limit) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether a triangle in the box may have a normal opposed to that of the point, and lie in the double cone around it.
+/// Whether a triangle in the box may have a normal opposed to that of the point, and lie in the
+/// double cone around it.
 /// @param squaredDistance mm^2, from the point to the box.
 bool PartTree::MayFace(
   const Node& node, double squaredDistance, const Vector3& p, const Vector3& normal)

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PartTree.h
- * @brief Distance of a point to what faces it across a gap: another fragment, the other side of a fracture or of a thin plate.
+ * @brief Distance of a point to what faces it across a gap: another fragment, the other side of a
+ * fracture or of a thin plate.
  *
- *     faces:   triangle t faces the point x across the vector d if n_x and -n_t both point along d, or both against it,
+ *     faces:   triangle t faces the point x across the vector d if n_x and -n_t both point along d,
+ *              or both against it,
  *              within 45 degrees: across empty space or across bone
  *     node:    a box, a box of the normals, and the least and the greatest number of a fragment
- *     skip:    what is farther than the best so far; other fragments: nodes of the point's own fragment;
- *              facing: nodes without a normal opposed to that of the point, and nodes outside of the double cone around it
+ *     skip:    what is farther than the best so far; other fragments: nodes of the point's own
+ *              fragment;
+ *              facing: nodes without a normal opposed to that of the point, and nodes outside of
+ *                the double cone around it
  *
  * A binary tree over the triangles as they come, which lie along a curve that fills space.
  */
@@ -44,8 +48,8 @@ public:
   /// mm, from a point of a fragment to the nearest other fragment; the limit if none is nearer.
   double ToOtherPart(const Vector3& p, Index part, double limit) const;
 
-  /// mm, from a point of the surface to the nearest triangle of its fragment that faces it, none of its own; the limit
-  /// if there is none nearer.
+  /// mm, from a point of the surface to the nearest triangle of its fragment that faces it, none of
+  /// its own; the limit if there is none nearer.
   double ToFacing(Index point, const Vector3& normal, double limit) const;
 
   /// mm, the least distance between two fragments; infinite if there is one only.

@@ -225,8 +225,8 @@ bool MeetMore(std::vector<Piece>& before, std::vector<Piece>& after, std::vector
 }
 
 //------------------------------------------------------------------------------
-/// What meets neither the faces that go nor the new ones lies between them as a whole or not at all: one corner that does not
-/// lie on them tells.
+/// What meets neither the faces that go nor the new ones lies between them as a whole or not at
+/// all: one corner that does not lie on them tells.
 bool JumpOver(
   const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
 {

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Piece.h
- * @brief Faces with precomputed data for pair tests, and the two rules that do not depend on gaps: whether a patch that
- *        replaces another one intersects more of the faces nearby, and whether it jumps over something.
+ * @brief Faces with precomputed data for pair tests, and the two rules that do not depend on gaps:
+ * whether a patch that
+ *        replaces another one intersects more of the faces nearby, and whether it jumps over
+ *          something.
  *
- *     more:   pairs of the patch with what is near and within it that intersect (TrianglePair.h), after against before;
- *            those that pierce each other are counted by themselves, too, so that none becomes one that only touched;
+ *     more:   pairs of the patch with what is near and within it that intersect (TrianglePair.h),
+ *             after against before;
+ *            those that pierce each other are counted by themselves, too, so that none becomes one
+ *              that only touched;
  *            both where they will be written
- *     jump:   a corner of what is near lies in the volume that both patches enclose; patches in one plane enclose none
+ *     jump:   a corner of what is near lies in the volume that both patches enclose; patches in one
+ *             plane enclose none
  */
 #ifndef BoneDecimate_Core_Proof_Guard_Piece_h
 #define BoneDecimate_Core_Proof_Guard_Piece_h

@@ -18,7 +18,8 @@ namespace
 {
 /// Ranges of triangles that are not longer are looked at together, however far apart these are.
 constexpr Index Few = 4;
-/// Triangles that are looked at around one; if there are more, the distance is only known to be that of the farthest of these at least.
+/// Triangles that are looked at around one; if there are more, the distance is only known to be
+/// that of the farthest of these at least.
 constexpr std::ptrdiff_t MaxNear = 500;
 
 /// Triangles that are added one after the other: whether they are a disk.
@@ -98,7 +99,8 @@ struct Boxed
   FaceId Face;
 };
 
-/// mm, between two triangles along the normal of the first, or 0. Any direction of length 1 would do.
+/// mm, between two triangles along the normal of the first, or 0. Any direction of length 1 would
+/// do.
 double GapAlongNormal(const TriangleCorners& a, const TriangleCorners& b)
 {
   const Vector3 normal = (a[1] - a[0]).cross(a[2] - a[0]).normalized();
@@ -123,8 +125,8 @@ public:
   {
   }
 
-  /// Measures those of a range whose separation is below the limit. Ranges are halved until they are one disk with what is
-  /// near.
+  /// Measures those of a range whose separation is below the limit. Ranges are halved until they
+  /// are one disk with what is near.
   /// @param near What may be near; null: anything.
   void Measure(Index first, Index last, const std::vector<Boxed>* near, GrowingPatch& patch,
     std::vector<double>& distances) const

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Separation.h
- * @brief How near a surface comes to itself: at each triangle the distance within which it is one disk.
+ * @brief How near a surface comes to itself: at each triangle the distance within which it is one
+ * disk.
  *
  *     disk:        triangles connected across edges, with Euler characteristic 1
- *     separation:  the triangles nearer than it belong to one disk; 0 at triangles that intersect others
+ *     separation:  the triangles nearer than it belong to one disk; 0 at triangles that intersect
+ *                  others
  *
- * What lies beyond is another part of the surface: the other side of a thin plate or strut, or another fragment. Documentation/error-bound.md
- * has what follows from it.
+ * What lies beyond is another part of the surface: the other side of a thin plate or strut, or
+ * another fragment. Documentation/error-bound.md has what follows from it.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_Separation_h
 #define BoneDecimate_Core_Proof_Guard_Separation_h

@@ -120,8 +120,9 @@ bool StateCheck::IsBad(FaceId face, Piece& piece, FaceId other, Piece& near) con
 }
 
 //------------------------------------------------------------------------------
-/// Whether the pair goes back to one of the mesh at first that was as near, over pairs that were as near: from each edit to a face
-/// that it replaced. So no edit has made such a gap narrower than it was, which is the rule of single edits.
+/// Whether the pair goes back to one of the mesh at first that was as near, over pairs that were as
+/// near: from each edit to a face that it replaced. So no edit has made such a gap narrower than it
+/// was, which is the rule of single edits.
 bool StateCheck::WasAsNear(const FaceVersion& one, const FaceVersion& other, int& left) const
 {
   const bool isOneLater = one.Made > other.Made;
@@ -132,8 +133,8 @@ bool StateCheck::WasAsNear(const FaceVersion& one, const FaceVersion& other, int
     return true;
   }
   const Piece nearPiece = this->PieceOf(near);
-  const double now =
-    WayBetween(this->Journal.CornersOf(later), nearPiece.Corners).SquaredLength; // mm^2
+  // mm^2
+  const double now = WayBetween(this->Journal.CornersOf(later), nearPiece.Corners).SquaredLength;
   for (Index i = 0; i < this->Journal.Entry(later.Made).NumberOfFaces && --left > 0; ++i)
   {
     const FaceVersion& old = this->Journal.OldFace(later.Made, i);

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StateCheck.h
- * @brief Checks a mesh that the edits of a journal have left: which edits to undo so that no pair of faces is bad.
+ * @brief Checks a mesh that the edits of a journal have left: which edits to undo so that no pair
+ * of faces is bad.
  *
  *     a pair is bad if an edit has changed one of both, and
  *         they intersect, or
- *         they are too near to each other (GapPairs.h), unless the pair goes back to one that was as near
+ *         they are too near to each other (GapPairs.h), unless the pair goes back to one that was
+ *           as near
  *     undo:  the later edit of both
  *
- * After the first call only faces that have changed since the last one are looked at, and what is near them: nothing else has changed
- * pairs. It does not see whether parts have passed each other: Separation.h.
+ * After the first call only faces that have changed since the last one are looked at, and what is
+ * near them: nothing else has changed pairs. It does not see whether parts have passed each other:
+ * Separation.h.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_StateCheck_h
 #define BoneDecimate_Core_Proof_Guard_StateCheck_h
@@ -27,7 +30,8 @@ namespace bonedecimate
 class StateCheck
 {
 public:
-  /// All must outlive this object.  @param widths Of the vertices of the mesh before the first edit.
+  /// All must outlive this object.  @param widths Of the vertices of the mesh before the first
+  ///                                edit.
   StateCheck(const HalfEdgeMesh& mesh, const GapRule& widths, const WrittenPositions& written,
     const EditJournal& journal);
 

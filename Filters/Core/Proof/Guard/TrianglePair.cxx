@@ -29,16 +29,19 @@ bool AreZero(const Sides& sides)
   return sides[0] == 0 && sides[1] == 0 && sides[2] == 0;
 }
 
-/// Turned so that the first corner lies alone on its side of the plane of the other triangle, the positive one: the
-/// others lie in the plane or on the negative side, or the first lies in front of two in the plane.
-/// @return Whether the other triangle has to be taken in reverse, because the first corner was on the negative side.
+/// Turned so that the first corner lies alone on its side of the plane of the other triangle, the
+/// positive one: the others lie in the plane or on the negative side, or the first lies in front of
+/// two in the plane.
+/// @return Whether the other triangle has to be taken in reverse, because the first corner was on
+///   the negative side.
 bool IsolateFirst(TriangleCorners& corners, const Sides& sides)
 {
   for (const int side : { 1, -1 })
   {
     const auto count = std::count(sides.begin(), sides.end(), side);
     const auto opposite = std::count(sides.begin(), sides.end(), -side);
-    // Alone on its side; two in the plane; or alone in the plane, with both others on the opposite side.
+    // Alone on its side; two in the plane; or alone in the plane, with both others on the opposite
+    // side.
     const int alone = count == 1 ? side : count == 0 && opposite == 2 ? 0 : 2;
     if (alone != 2)
     {
@@ -50,7 +53,8 @@ bool IsolateFirst(TriangleCorners& corners, const Sides& sides)
   return false; // all on one side or in the plane: not called
 }
 
-/// The axis along which the corners are projected to an area, and the sign of that; 0 if they lie on a line.
+/// The axis along which the corners are projected to an area, and the sign of that; 0 if they lie
+/// on a line.
 struct Projection
 {
   explicit Projection(const TriangleCorners& t)
@@ -151,9 +155,9 @@ Way WayBetweenSegments(const Vector3& p, const Vector3& u, const Vector3& q, con
   return { way.squaredNorm(), way };
 }
 
-/// Two triangles in different planes, which reach both across the plane of the other, cover an interval each of the line
-/// in which their planes meet (P. Guigue, O. Devillers, Fast and robust triangle-triangle overlap test using orientation
-/// predicates, 2003).
+/// Two triangles in different planes, which reach both across the plane of the other, cover an
+/// interval each of the line in which their planes meet (P. Guigue, O. Devillers, Fast and robust
+/// triangle-triangle overlap test using orientation predicates, 2003).
 bool IntervalsOverlap(
   TriangleCorners p, const Sides& sidesA, TriangleCorners q, const Sides& sidesB)
 {

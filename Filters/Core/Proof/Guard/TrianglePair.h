@@ -9,9 +9,9 @@
  *     one common edge:      if they lie in one plane on the same side of the edge
  *
  * So neighbors in one plane do not intersect unless they overlap. This is what
- * CGAL::Polygon_mesh_processing::self_intersections counts. Every sign is that of an exact predicate
- * (Geometry/ExactPredicates.h): there is no tolerance. A triangle whose corners lie exactly on a line
- * counts as intersecting wherever its plane would have to decide.
+ * CGAL::Polygon_mesh_processing::self_intersections counts. Every sign is that of an exact
+ * predicate (Geometry/ExactPredicates.h): there is no tolerance. A triangle whose corners lie
+ * exactly on a line counts as intersecting wherever its plane would have to decide.
  *
  * C. Ericson, Real-Time Collision Detection, 2005, 5.1.9: the distance of segments.
  */
@@ -51,7 +51,8 @@ bool MeetBeyondCorner(
 /// Both have an edge in common, and each a third corner beside it, that of a named by its number.
 bool MeetBeyondEdge(const PlaneTriangle& a, std::size_t thirdOfA, const Vector3& thirdOfB);
 
-/// Whether the inside of an edge of one goes through the inside of the other, so that a small motion does not part them.
+/// Whether the inside of an edge of one goes through the inside of the other, so that a small
+/// motion does not part them.
 bool Pierce(const PlaneTriangle& a, const PlaneTriangle& b);
 
 enum class RayResult
@@ -60,8 +61,8 @@ enum class RayResult
   Hits,
   Unclear
 };
-/// Whether the segment from p to a point far away goes through the triangle; unclear where it passes exactly through an edge
-/// or begins on the triangle.
+/// Whether the segment from p to a point far away goes through the triangle; unclear where it
+/// passes exactly through an edge or begins on the triangle.
 RayResult ShootRay(const Vector3& p, const Vector3& farPoint, const PlaneTriangle& triangle);
 
 /// The shortest way between two triangles.

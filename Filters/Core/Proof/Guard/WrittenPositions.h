@@ -4,8 +4,9 @@
  * @file WrittenPositions.h
  * @brief Where vertices will be written, bit for bit.
  *
- * Positions of the mesh are relative to its local origin, so their last bits are not those of the coordinates that are written.
- * Faces that nearly lie in one plane may pierce each other in one and not in the other.
+ * Positions of the mesh are relative to its local origin, so their last bits are not those of the
+ * coordinates that are written. Faces that nearly lie in one plane may pierce each other in one and
+ * not in the other.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_WrittenPositions_h
 #define BoneDecimate_Core_Proof_Guard_WrittenPositions_h
@@ -27,7 +28,8 @@ public:
     const Surface& input, const CleanSurface& clean, double error, const PointRounding& rounding);
 
   Vector3 Of(VertexId vertex, const Vector3& local) const;
-  /// mm, the most by which the difference of two coordinates written differs from that of the local ones, exactly subtracted.
+  /// mm, the most by which the difference of two coordinates written differs from that of the local
+  /// ones, exactly subtracted.
   double Rounding() const { return 2.0 * this->MaxRounding; }
 
 private:

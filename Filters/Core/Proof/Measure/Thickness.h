@@ -28,8 +28,8 @@ struct SolidSurface
 {
   const bonedecimate::Surface& Surface;
   const BoundingTree& Tree; ///< Bounding tree of the surface.
-  const std::vector<PartSides>*
-    Sides; ///< Parts at each triangle; null: all normals point out of the one solid 0.
+  /// Parts at each triangle; null: all normals point out of the one solid 0.
+  const std::vector<PartSides>* Sides;
 };
 
 struct ThicknessChange

@@ -27,8 +27,8 @@ struct ReferenceMesh
   CutEdges Cuts;
   BoundingTree Tree;
   std::vector<Index> NearVertex; ///< For each vertex of this mesh, a vertex of the input near it.
-  std::vector<Index>
-    NearTriangle; ///< For each vertex of the input, a triangle of this mesh near it.
+  /// For each vertex of the input, a triangle of this mesh near it.
+  std::vector<Index> NearTriangle;
 };
 }
 

@@ -17,8 +17,8 @@ namespace bonedecimate
 {
 struct BoundaryLoop
 {
-  std::vector<Index>
-    Points; ///< In the direction of triangles that fill it: against that of the surface's own.
+  /// In the direction of triangles that fill it: against that of the surface's own.
+  std::vector<Index> Points;
   std::size_t Triangle = 0;       ///< One that has an edge of the loop.
   Vector3 Area = Vector3::Zero(); ///< mm^2, twice the vector area.
 };

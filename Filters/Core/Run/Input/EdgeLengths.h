@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeLengths.h
- * @brief The shapes that a run requests. Local lengths of edges, mm: an array of the input, and lengths by the curvature of the input.
+ * @brief The shapes that a run requests. Local lengths of edges, mm: an array of the input, and
+ * lengths by the curvature of the input.
  *
  *     chordal      sqrt(6 R e - 3 e^2), at least EdgeLength / 10    R: radius of curvature,
  *                                                                   e: ChordalError
@@ -40,8 +41,8 @@ double ChordalLength(double curvature, double error);
 std::shared_ptr<const SizingField> MakeSizingField(const CleanSurface& clean,
   const HalfEdgeMesh& mesh, const std::vector<double>* given, const Options& options);
 
-/// What the edits of a run keep. The least angle is a little larger than requested: the output may round positions. An edge
-/// length needs one, too: slivers have edges of any length.
+/// What the edits of a run keep. The least angle is a little larger than requested: the output may
+/// round positions. An edge length needs one, too: slivers have edges of any length.
 /// @param local Lengths of edges where they are less than EdgeLength; null: nowhere.
 ShapeLimits ShapeLimitsOf(
   const Options& options, std::shared_ptr<const SizingField> local = nullptr);

@@ -55,8 +55,8 @@ PointRounding RoundingOf(const Options& options, bool inputIsSingle);
 /// mm, tolerances of the points of the input.
 struct PointTolerances
 {
-  std::optional<std::vector<double>>
-    OfPoints; ///< As in RunInputs::Tolerances, none above the diagonal.
+  /// As in RunInputs::Tolerances, none above the diagonal.
+  std::optional<std::vector<double>> OfPoints;
   std::optional<ReferenceInput> Reference; ///< Caps them; read already.
 
   /// What holds between input and result; null: none.
@@ -79,11 +79,11 @@ struct PreparedInput
 {
   CleanSurface Cleaned;
   PointTolerances Tolerances;
-  std::vector<double>
-    VertexTolerances; ///< mm, of each vertex of the mesh; negative: none. Empty: no vertex has one.
+  /// mm, of each vertex of the mesh; negative: none. Empty: no vertex has one.
+  std::vector<double> VertexTolerances;
   std::optional<HalfEdgeMesh> Mesh; ///< None if the input was rejected.
-  std::shared_ptr<const SizingField>
-    Sizes; ///< Local lengths of edges; null: EdgeLength everywhere, or none.
+  /// Local lengths of edges; null: EdgeLength everywhere, or none.
+  std::shared_ptr<const SizingField> Sizes;
   /// The original of a part that is itself a result; null: the input.
   std::unique_ptr<ReferenceMesh> Original;
 

@@ -133,8 +133,8 @@ PruneFigures Prune(const Surface& input, const Options& options, CleanSurface& c
   }
   const CensusOfPart census =
     TakeCensus(input, cleaned, cleaned.Origin, {}, options.NumberOfThreads);
-  const std::vector<PrunedComponent> components =
-    JoinCensus({ census }, cleaned.Origin).All; // in the same order
+  // in the same order
+  const std::vector<PrunedComponent> components = JoinCensus({ census }, cleaned.Origin).All;
   PruneFigures figures = FindPruned(components, options);
   if (!figures.Components.empty() && !figures.TookAll)
   {

@@ -47,8 +47,8 @@ struct ReferenceInput
   InputStatus Status = InputStatus::Good;
   KeptSurface Reference;
   ReferenceFigures Figures;
-  std::vector<double>
-    Left; ///< mm, for each point of the input; the largest error at points without a triangle.
+  /// mm, for each point of the input; the largest error at points without a triangle.
+  std::vector<double> Left;
 };
 
 /// @param cleaned The cleaned input. @param options With the largest error.

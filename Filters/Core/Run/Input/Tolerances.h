@@ -41,8 +41,9 @@ struct ErrorsOfPoints
 InputStatus CheckRounding(const Surface& input, const CleanSurface& clean,
   const ErrorsOfPoints& errors, const PointRounding& rounding, CleaningStatistics& found);
 
-/// Whether the tolerances (null: none) and the largest error are valid for the mode, the precision of the output and the
-/// size of the input (InputSize.h). Lowers a largest error above the diagonal to the diagonal.
+/// Whether the tolerances (null: none) and the largest error are valid for the mode, the precision
+/// of the output and the size of the input (InputSize.h). Lowers a largest error above the diagonal
+/// to the diagonal.
 InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
   const std::vector<double>* given, const PointRounding& rounding, Options& options,
   CleaningStatistics& found, SizeFigures& size);

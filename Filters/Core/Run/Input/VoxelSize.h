@@ -30,8 +30,8 @@ struct VoxelEstimate
 {
   Vector3 Spacing = Vector3::Zero(); ///< mm, along each axis; 0 if there is no estimate.
   bool IsFromGrid = false;           ///< False: from edge lengths, the same along each axis.
-  double RelativeError =
-    0.0; ///< Relative uncertainty of the spacing, from uneven planes or varying edges.
+  /// Relative uncertainty of the spacing, from uneven planes or varying edges.
+  double RelativeError = 0.0;
 
   double Least() const { return this->Spacing.minCoeff(); } ///< mm
 };

@@ -52,8 +52,8 @@ struct Report
   bool DistancesMeasured = false;
   DistanceStatistics OutputToInput;
   DistanceStatistics InputToOutput;
-  bool BoundariesMeasured =
-    false; ///< If distances were measured and both surfaces have boundaries.
+  /// If distances were measured and both surfaces have boundaries.
+  bool BoundariesMeasured = false;
   ProvedDistance BoundaryOutputToInput;
   ProvedDistance BoundaryInputToOutput;
   bool FragmentGapMeasured = false; ///< If distances were measured and there are several fragments.
@@ -76,8 +76,8 @@ struct Report
   double RunningError = 0.0;
   double NormalTolerance = 0.0; ///< The tolerance w of the thesis; only in mode Thesis.
   std::int64_t Collapses = 0;
-  std::array<std::int64_t, NumberOfRejections>
-    Rejections{}; ///< By Rejection; [NotRejected] is always 0.
+  /// By Rejection; [NotRejected] is always 0.
+  std::array<std::int64_t, NumberOfRejections> Rejections{};
   DraftFigures Draft;
   RegionFigures Regions;
   AngleFigures Angles;
