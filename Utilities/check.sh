@@ -13,7 +13,7 @@
 #               only ParaView's own build compiles; what the build compiles together is checked together
 # spelling      codespell with American spelling, and no unfinished work in comments
 # ascii         sources are ASCII
-# sizes         no file over 400 lines, no function over 60
+# sizes         no file over 400 lines, no function over 60, no line of C++ over 100 columns
 # words         terms of the field, Utilities/check_words.py
 # release       versions, dates, placeholders, versions of tools, third-party software, Utilities/check_release.py
 # architecture  includes follow the module table of ARCHITECTURE.md
@@ -31,6 +31,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 readonly all_checks=(format spelling words ascii sizes release architecture site tidy sanitize)
 readonly most_lines=400
 readonly most_lines_of_a_function=60
+readonly most_columns=100
 jobs=$(nproc 2>/dev/null || echo 2)
 readonly jobs
 
@@ -108,6 +109,8 @@ check_sizes()
   tool ctags >/dev/null || return 1
   source_files | xargs wc -l | awk -v most="$most_lines" '$2 != "total" && $1 > most {
     print $2 ": " $1 " lines, " most " are the most"; found = 1 } END { exit found }' || failed=1
+  cxx_files | xargs awk -v most="$most_columns" 'length > most {
+    print FILENAME ":" FNR ": " length " columns, " most " are the most"; found = 1 } END { exit found }' || failed=1
   function_sizes | awk -F '\t' -v most="$most_lines_of_a_function" '{
     first = last = 0
     for (i = 4; i <= NF; ++i) {

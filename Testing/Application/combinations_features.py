@@ -168,7 +168,6 @@ def in_millimeters(surface, run):
 
 
 # How it shows that a feature took effect.
-
 def distance(a, b):
     """mm, the largest from the points and the centers of the triangles of one to the other."""
     locator = vtk.vtkStaticCellLocator()

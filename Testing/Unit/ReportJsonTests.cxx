@@ -19,7 +19,8 @@ TEST(ReportJson, NestsEntriesAtTheDotsOfTheirNames)
     { "input.triangles", "", std::int64_t{ 12 } }, { "input.area", "mm2", 2.5 },
     { "list.0.size", "mm", 1.0 }, { "list.1.size", "mm", 0.1 } };
   EXPECT_EQ(ReportJson(entries),
-    R"({"version": "1.2.3", "input": {"triangles": 12, "area": 2.5}, "list": [{"size": 1.0}, {"size": 0.1}], )"
+    R"({"version": "1.2.3", "input": {"triangles": 12, "area": 2.5}, )"
+    R"("list": [{"size": 1.0}, {"size": 0.1}], )"
     R"("units": {"input.area": "mm2", "list.0.size": "mm", "list.1.size": "mm"}})");
 }
 

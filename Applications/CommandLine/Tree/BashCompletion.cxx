@@ -11,7 +11,7 @@ namespace
 constexpr const char* Beginning =
   R"(# Completion of bonedecimate for bash; written by "bonedecimate --completion bash".
 
-# Folders, and files with one of the extensions, which have bars in between; without an argument all files.
+# Folders, and files with one of the extensions, which have bars in between; all files without any.
 _bonedecimate_files()
 {
   local name

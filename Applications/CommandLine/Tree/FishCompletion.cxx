@@ -56,7 +56,7 @@ function __bonedecimate_is_first
     test (count (commandline -opc)) -eq 1
 end
 
-# Folders, and files with one of the extensions, which have bars in between; all files if it is empty.
+# Folders, and files with one of the extensions, which have bars in between; all files without any.
 function __bonedecimate_files
     set -l token (string replace -r -- '^--[a-z-]+=' '' (commandline -ct))
     set -l beginning (string replace -r -- '^~/' $HOME/ $token)

@@ -8,8 +8,7 @@
 #define BoneDecimate_Core_Geometry_WideInteger_h
 
 #ifndef __SIZEOF_INT128__
-#error                                                                                             \
-  "The exact predicates of fixed-point coordinates need integers of 128 bits: GCC or Clang for a 64-bit processor."
+#error "Exact predicates need integers of 128 bits: GCC or Clang for a 64-bit processor."
 #endif
 
 namespace bonedecimate
