@@ -36,7 +36,7 @@ bool WritesGrid(const Arguments& arguments);
 /**
  * mm, the step of the grid for what is made from this surface.
  * @param error mm, the largest error; 0: none, or not known.
- * @param path Of the surface, for messages.
+ * @param path Path of the surface, for messages.
  * @throws Failure(ExitCode::InputRejected) if rounding would take more than half of the error.
  */
 double GridStepFor(vtkPolyData* surface, double error, int bits, const std::string& path);

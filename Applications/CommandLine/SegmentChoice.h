@@ -42,7 +42,8 @@ inline constexpr const char* NoChosenVoxelReason = "no voxel belongs to what --s
 
 /**
  * Names and colors are those of FindLabelNames().
- * @param labels CollectLabels() of all voxels.  @param fields Of the map.  @param path Of the map, for messages.
+ * @param labels CollectLabels() of all voxels.  @param fields Field data of the map.
+ * @param path Path of the map, for messages.
  * @throws Failure(ExitCode::InputRejected) if there are none, or so many that they are gray values.
  */
 FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,

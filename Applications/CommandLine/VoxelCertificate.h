@@ -26,7 +26,7 @@ public:
   VoxelCertificate();
   ~VoxelCertificate();
 
-  /// @param file That of the surface, for messages. @throws Failure(ExitCode::InputRejected)
+  /// @param file File of the surface, for messages. @throws Failure(ExitCode::InputRejected)
   void Compare(vtkPolyData* surface, const std::string& file, const LabelMapFile& map, int threads,
     std::vector<std::string>& warnings);
 

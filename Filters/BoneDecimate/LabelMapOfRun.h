@@ -49,7 +49,7 @@ struct LabelMapRequest
     0; ///< What a surface without BoundaryLabels encloses; 0: the only label of the map.
 };
 
-/// @param options Of the run.
+/// @param options Options of the run.
 LabelMapOfRun ReadLabelMapOfRun(vtkPolyData* input, const ConvertedSurface& converted,
   const LabelMapRequest& request, const Options& options);
 

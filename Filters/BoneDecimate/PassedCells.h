@@ -28,7 +28,7 @@ struct PassedIds
 class PassedCells
 {
 public:
-  /// @param points Of the output: points of the cells are appended when they are met first.
+  /// @param points Points of the output; those of a cell are appended at their first use.
   PassedCells(vtkPolyData* input, vtkPoints* points);
 
   /// Those whose ids are right.  @param firstCell Id of the first of these cells.

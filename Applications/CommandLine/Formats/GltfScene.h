@@ -51,7 +51,8 @@ struct GltfScene
 /// @throws Failure(ExitCode::InputRejected), Json::exception
 GltfScene ReadScene(const GltfDocument& document);
 
-/// Tells the surface what of its file is no part of it (LeftOutCells.h).  @param primitives Of points or lines.
+/// Tells the surface what of its file is no part of it (LeftOutCells.h).
+/// @param primitives Number of primitives of points or lines.
 void ListLeftOut(const GltfScene& scene, std::int64_t primitives, vtkPolyData* surface);
 }
 

@@ -17,7 +17,7 @@ unsigned char* BytesOf(std::string& text)
   return reinterpret_cast<unsigned char*>(text.data());
 }
 
-/// @param remap From the old number of a point to the new one.
+/// @param remap Maps the old number of a point to the new one.
 std::string EncodedPoints(const PointStream& stream, const std::vector<unsigned int>& remap)
 {
   std::string ordered(stream.Bytes.size(), '\0');

@@ -32,7 +32,7 @@ struct BoundaryEdge
   Index Triangle = None;
 };
 
-/// In the order of the triangles.  @param sides Of the surface.
+/// Boundary edges in the order of the triangles.  @param sides Edge sides of the surface.
 std::vector<BoundaryEdge> FindBoundaries(const Surface& surface, const EdgeSides& sides);
 }
 

@@ -44,7 +44,8 @@ public:
 
   /// Starts with T and no candidates.
   void Begin(const Corners& triangle);
-  /// Unless it is one already.  @param id By which the caller knows it.  @return False if there are too many.
+  /// Adds a candidate unless it is one already.
+  /// @param id Number by which the caller knows it.  @return False if there are too many.
   bool Add(const Corners& candidate, Index id);
   bool Has(Index id) const;
 

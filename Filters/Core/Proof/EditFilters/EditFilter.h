@@ -77,7 +77,8 @@ public:
   /// worker is active.
   virtual void Adopt(VertexId /*made*/, VertexId /*like*/) {}
 
-  /// Records the edit that all filters accepted.  @param mesh After the edit.  @param tally Of the worker.
+  /// Records the edit that all filters accepted.
+  /// @param mesh The mesh after the edit.  @param tally Counters of the worker.
   virtual void Commit(const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/,
     Pending& /*pending*/, Tally& /*tally*/)
   {
