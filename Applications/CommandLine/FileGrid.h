@@ -27,7 +27,7 @@ void AddFileOptions(CLI::App& app, Arguments& arguments);
 void AddGlbCompression(
   CLI::App& app, bool& compresses, const std::function<void(const std::string&)>& given);
 
-/// Those options against the outputs. @throws Failure(ExitCode::Usage)
+/// Checks the options of AddFileOptions() against the outputs. @throws Failure(ExitCode::Usage)
 void CheckFileOptions(const Arguments& arguments);
 
 /// Whether some output has its coordinates on a grid.

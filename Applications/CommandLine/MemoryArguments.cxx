@@ -81,8 +81,9 @@ void CheckMemory(const Arguments& arguments)
     return;
   }
   Options options = arguments.Options;
-  options.VoxelSize =
-    options.VoxelSize > 0.0 ? options.VoxelSize : 1.0; // that of the volume is not known yet
+  options.VoxelSize = options.VoxelSize > 0.0
+    ? options.VoxelSize
+    : 1.0; // the size of the volume's voxels is unknown yet
   const SlabRun run(options, {});
   if (run.Status() != SlabStatus::Good)
   {

@@ -21,8 +21,8 @@ namespace bonedecimate
 /// Where points and cells of the output come from that are no part of the surface. Ids are those of the input.
 struct PassedIds
 {
-  std::vector<vtkIdType> Points; ///< Those after the surface's.
-  std::vector<vtkIdType> Cells;  ///< Those before the triangles.
+  std::vector<vtkIdType> Points; ///< Points after those of the surface.
+  std::vector<vtkIdType> Cells;  ///< Cells before the triangles.
 };
 
 class PassedCells
@@ -31,7 +31,7 @@ public:
   /// @param points Points of the output; those of a cell are appended at their first use.
   PassedCells(vtkPolyData* input, vtkPoints* points);
 
-  /// Those whose ids are right.  @param firstCell Id of the first of these cells.
+  /// Passes the cells whose ids are valid.  @param firstCell Id of the first of these cells.
   vtkSmartPointer<vtkCellArray> Pass(vtkCellArray* cells, vtkIdType firstCell);
 
   const PassedIds& Ids() const { return this->Passed; }

@@ -84,7 +84,7 @@ bool Filtered(const MeshoptView& view, std::string& decoded)
 CompressedPart Compress(
   const std::vector<std::uint32_t>& corners, const std::vector<PointStream>& streams)
 {
-  meshopt_encodeIndexVersion(1); // that of the extension
+  meshopt_encodeIndexVersion(1); // the version of the extension
   meshopt_encodeVertexVersion(0);
   const std::size_t points = streams[0].Bytes.size() / streams[0].Stride;
   CompressedPart best = Encoded(corners, streams);
