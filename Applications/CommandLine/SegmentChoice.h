@@ -37,7 +37,7 @@ struct FoundSegments
   std::vector<std::string> Warnings;
 };
 
-/// As NoLabelReason, of segments that were chosen.
+/// Begin of a sentence like NoLabelReason, about segments that were chosen.
 inline constexpr const char* NoChosenVoxelReason = "no voxel belongs to what --segments chooses, ";
 
 /**

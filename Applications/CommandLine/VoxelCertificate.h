@@ -31,7 +31,7 @@ public:
     std::vector<std::string>& warnings);
 
   bool IsViolated() const;
-  /// As the report of a decimation has it.
+  /// The comparison as in the report of a decimation.
   nlohmann::ordered_json Json() const;
   void Print() const;
 

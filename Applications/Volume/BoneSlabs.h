@@ -45,7 +45,7 @@ public:
   /// Whether the format gives no single layers, so that a process holds all voxels.
   bool IsReadWhole() const { return this->ReadsWhole; }
 
-  /// About how many the surface has.
+  /// Approximate number of triangles of the surface.
   std::int64_t GetNumberOfTriangles() const;
 
   /// Perpendicular to the layers, of length 1; slabs follow each other along it.

@@ -15,7 +15,7 @@
 
 namespace bonedecimate::volume
 {
-/// By the four letters that follow a preamble of 128 bytes.
+/// Whether the four letters that follow a preamble of 128 bytes are those of DICOM.
 bool IsDicomFile(const std::string& path);
 
 /// The DICOM files that lie in the folder itself, by name.

@@ -30,7 +30,7 @@ struct LabelMapOfRun
   ImageLabels Image;   ///< Without labels: none was given.
   std::string Problem; ///< One sentence; empty if the surface and the map suit each other.
 
-  /// For RunInputs; null: no grid is known.
+  /// The source for RunInputs; null: no grid is known.
   const LabelMapSource* Known() const
   {
     return this->Source.Grid.Dimensions[0] > 0 ? &this->Source : nullptr;

@@ -43,7 +43,7 @@ public:
 
   virtual ~EditFilter() = default;
 
-  /// For one worker; called by several threads.
+  /// Makes the pending data of one worker; called by several threads.
   virtual std::shared_ptr<Pending> MakePending() { return std::make_shared<Pending>(); }
 
   /// Whether ProposedEdit::Change has to be filled.
