@@ -81,9 +81,8 @@ void CheckMemory(const Arguments& arguments)
     return;
   }
   Options options = arguments.Options;
-  options.VoxelSize = options.VoxelSize > 0.0
-    ? options.VoxelSize
-    : 1.0; // the size of the volume's voxels is unknown yet
+  options.VoxelSize =
+    options.VoxelSize > 0.0 ? options.VoxelSize : 1.0; // not known before the volume is read
   const SlabRun run(options, {});
   if (run.Status() != SlabStatus::Good)
   {

@@ -44,7 +44,7 @@ struct GltfScene
   bool IsInMillimeters =
     false; ///< Written by this program: below the node of its frame (GlbFiles.h).
   std::int64_t HiddenNodes = 0;      ///< Nodes that are marked as not visible.
-  std::int64_t UnusedMeshes = 0;     ///< Meshes without a node; 0 if there are hidden nodes.
+  std::int64_t UnusedMeshes = 0;     ///< Meshes unused by the scene; 0 if nodes are hidden.
   std::vector<std::string> Warnings; ///< What the scene leaves aside, a sentence each.
 };
 
