@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The documentation as a site: build/site/html/index.html. A warning fails: a broken link or anchor, a page that is in no
-# contents, an undocumented class or member of C++, a resource of another server.
+# The documentation as a site: build/site/html/index.html. A warning fails: a broken link or anchor, a page to which
+# Documentation/README.md has no link, an undocumented class or member of C++, a resource of another server.
 # Needs doxygen and python3-venv (Utilities/install_packages.sh site); the generator comes from PyPI, and so do the wheel's
 # packages, unless the tests have built the wheel already.
 set -euo pipefail
@@ -30,6 +30,7 @@ rm -rf "$pages" "$site/files" "$site/html"
 mkdir -p "$pages" "$site/files"
 cp -r ./*.md LICENSE CITATION.cff Documentation Utilities/site/*.md "$pages"
 rm -r "$pages/Documentation/paper"
+echo '<meta http-equiv="refresh" content="0; url=Documentation/README.html">' > "$site/files/index.html"
 doxygen Utilities/site/Doxyfile
 "$venv/bin/sphinx-build" --jobs auto --quiet --fail-on-warning --keep-going -c Utilities/site -d "$site/doctrees" "$pages" "$site/html"
 python3 -B Utilities/site/check_links.py "$site/html"

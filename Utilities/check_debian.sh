@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Clones the commit into a root of another release of Debian, builds everything there, the plugin for ParaView too, and runs all tests.
-# Then the Debian package is built and installed, and the README's examples run with what it installed.
+# Then the Debian package is built and installed, and the examples of the README and of other pages run with what it installed.
 # The last line is a row for the table of systems in Documentation/versions.md.
 # Needs root, debootstrap and about 10 GB.
 #   Utilities/check_debian.sh RELEASE [FOLDER]     for example: trixie
@@ -52,6 +52,7 @@ chroot "$root" env -C /project LC_ALL=C.UTF-8 bash -c '
   apt-get -q -y --no-install-recommends --reinstall install ./build/package/*.deb
   SOURCE_DIR=$PWD PROGRAM=/usr/bin/bonedecimate PHANTOM=$PWD/build/release/bin/bonedecimate-phantom \
     python3 -B Testing/Readme/test_readme.py
+  PROGRAMS=$PWD/build/release/bin python3 -B Testing/Readme/run_tutorial.py Documentation/tutorials/cpp.md
 
   version() { dpkg-query -W -f "\${Version}" "$1" | sed -E "s/^[0-9]+://; s/[-+].*//"; }
   paraview=$(LD_LIBRARY_PATH=$(echo "$PWD"/build/paraview/usr/lib/*-linux-gnu) build/paraview/usr/bin/pvpython --version)

@@ -19,10 +19,10 @@ namespace bonedecimate
 {
 /// @name Ranges of several options. @{
 const NumberRange TriangleRange = { 1, 2147483647, true, "triangles" };
-const NumberRange PositiveLengthRange = { 1e-9, LargestNumber, false, "mm" };
-const NumberRange LengthRange = { 0, LargestNumber, false, "mm" };
-const NumberRange CoordinateRange = { -LargestNumber, LargestNumber, false, "mm" };
-const NumberRange HounsfieldRange = { -LargestNumber, LargestNumber, false, "HU" };
+const NumberRange PositiveLengthRange = { 1e-9, MaxNumber, false, "mm" };
+const NumberRange LengthRange = { 0, MaxNumber, false, "mm" };
+const NumberRange CoordinateRange = { -MaxNumber, MaxNumber, false, "mm" };
+const NumberRange HounsfieldRange = { -MaxNumber, MaxNumber, false, "HU" };
 /// @}
 
 /// @name Validators of texts; their message is "takes VALUES, not 'TEXT'". @{

@@ -127,7 +127,7 @@ vtkIdType CountMeetingPoints(vtkPolyData* result, vtkPolyData* inFile)
 }
 }
 
-double LargestRounding(vtkPolyData* surface, const LengthUnit& unit, bool isSingle)
+double MaxRounding(vtkPolyData* surface, const LengthUnit& unit, bool isSingle)
 {
   if (unit.IsMillimeter())
   {

@@ -23,7 +23,7 @@
 namespace bonedecimate
 {
 /// How far writing can move a point of a surface like this one, mm; 0 if files are in millimeters.
-double LargestRounding(vtkPolyData* surface, const LengthUnit& unit, bool isSingle);
+double MaxRounding(vtkPolyData* surface, const LengthUnit& unit, bool isSingle);
 
 /// The largest error of these options as far as it is known before a run, mm; 0 if there is none.
 double KnownError(const Options& options);

@@ -143,7 +143,7 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   if (subject.Slabs)
   {
     report["slabs"] = { { "count", subject.Slabs->Slabs },
-      { "largest_triangles", subject.Slabs->LargestSlab },
+      { "largest_triangles", subject.Slabs->MaxSlab },
       { "unproved", subject.Slabs->UnprovedSlabs } };
   }
   if (subject.Segments.empty() && !subject.Changed.empty())

@@ -247,7 +247,7 @@ private:
     const bool writesSingle = this->IsSingle || (format != nullptr && !format->HoldsDoubles);
     auto* input = vtkPolyData::SafeDownCast(this->Filter->GetInput());
     return ErrorBeforeRounding(this->Requested.MaximumError,
-      LargestRounding(input, unit, writesSingle) + LargestGridRounding(this->GridStep),
+      MaxRounding(input, unit, writesSingle) + LargestGridRounding(this->GridStep),
       this->GridStep > 0.0 ? format->Extension : unit.Name, this->Requested.Files[0]);
   }
 

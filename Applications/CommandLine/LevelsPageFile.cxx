@@ -20,7 +20,7 @@ PageLevel LevelAt(vtkBoneDecimateLevels* filter, vtkPolyData* input, int mark)
   filter->Update();
   PageLevel level;
   level.Surface = WithDistances(filter->GetOutput(), input, DistanceName);
-  level.LargestDistance = filter->GetMarkLargestDistance(mark);
+  level.MaxDistance = filter->GetMarkLargestDistance(mark);
   level.MeanDistance = filter->GetMarkMeanDistance(mark);
   return level;
 }

@@ -45,7 +45,7 @@ void OutputRounding::Reserve(Options& options)
   const bool isLimited = !options.ToleranceArrayName.empty() || !this->Requested.Regions.empty();
   if (options.BoundsError() || (isLimited && options.ProvesError()))
   {
-    this->Rounding = LargestRounding(this->Input, this->Unit, this->WritesSingle);
+    this->Rounding = MaxRounding(this->Input, this->Unit, this->WritesSingle);
   }
   this->Error = error;
   if (this->Error > 0.0)

@@ -25,7 +25,7 @@ namespace bonedecimate
 namespace
 {
 constexpr std::size_t MostSegments = 1000;
-constexpr std::size_t MostListed = 30;
+constexpr std::size_t MaxListed = 30;
 
 /// Whether the value is a whole number, which all others are for vtkBoneSurfaces to reject.
 template <typename Scalar>
@@ -65,12 +65,12 @@ void CollectValues(const Scalar* values, vtkIdType count, std::set<std::int64_t>
 std::string ListOf(const std::vector<NamedLabel>& segments)
 {
   std::string text;
-  for (std::size_t i = 0; i < std::min(segments.size(), MostListed); ++i)
+  for (std::size_t i = 0; i < std::min(segments.size(), MaxListed); ++i)
   {
     text += (i > 0 ? ", " : "") + LabelText(segments[i]);
   }
-  return segments.size() > MostListed
-    ? text + " and " + std::to_string(segments.size() - MostListed) + " more"
+  return segments.size() > MaxListed
+    ? text + " and " + std::to_string(segments.size() - MaxListed) + " more"
     : text;
 }
 

@@ -124,7 +124,7 @@ void PrintSlabs(const ReportSubject& subject)
   {
     const std::int64_t unproved = subject.Slabs->UnprovedSlabs;
     std::cout << "slabs           " << subject.Slabs->Slabs << " of up to "
-              << GroupedText(static_cast<double>(subject.Slabs->LargestSlab)) << " triangles"
+              << GroupedText(static_cast<double>(subject.Slabs->MaxSlab)) << " triangles"
               << (unproved > 0
                      ? "; " + std::to_string(unproved) + " stay as they were, without a proof"
                      : std::string())

@@ -107,7 +107,7 @@ std::string CountText(
 void AddFillVolume(CLI::App& app, Arguments& arguments)
 {
   AddNumber(app,
-    { "--fill-volume", "MM3", { 0, LargestNumber, false, "mm3" },
+    { "--fill-volume", "MM3", { 0, MaxNumber, false, "mm3" },
       "Volumes: fill cavities of a segment, or of the bone at --iso, up to this volume. Cavities "
       "are voxels of background that do not reach the end of the volume. 0, the default: fill "
       "none." },

@@ -33,7 +33,7 @@ std::string LevelsTable(const std::vector<PageLevel>& levels)
     "mean distance, mm" } };
   for (auto level = levels.rbegin(); level != levels.rend(); ++level)
   {
-    rows.push_back({ CountText(level->Surface), LengthText(level->LargestDistance),
+    rows.push_back({ CountText(level->Surface), LengthText(level->MaxDistance),
       LengthText(level->MeanDistance) });
   }
   return Table(rows);
@@ -45,9 +45,9 @@ ViewerHtml Viewer(const LevelsPageSubject& subject, std::size_t bytesOfPicture)
   viewer.Before = { subject.Before, "", "" };
   for (const PageLevel& level : subject.Levels)
   {
-    const std::string caption = std::isnan(level.LargestDistance)
+    const std::string caption = std::isnan(level.MaxDistance)
       ? ""
-      : ", largest distance " + MillimeterText(level.LargestDistance) + " mm";
+      : ", largest distance " + MillimeterText(level.MaxDistance) + " mm";
     viewer.Levels.push_back({ level.Surface, subject.DistanceArrayName, caption });
   }
   viewer.Legend = "distance to the original, mm";

@@ -35,8 +35,8 @@ struct PageSubject
 struct PageLevel
 {
   vtkSmartPointer<vtkPolyData> Surface;
-  double LargestDistance = 0.0; ///< mm, measured; not a number if it was not.
-  double MeanDistance = 0.0;    ///< mm
+  double MaxDistance = 0.0;  ///< mm, measured; not a number if it was not.
+  double MeanDistance = 0.0; ///< mm
 };
 
 struct LevelsPageSubject

@@ -16,7 +16,7 @@ namespace
 constexpr double LargestShift = 0.2;
 
 /// Frames closer than this part of a pixel lie in one plane.
-constexpr double LeastGap = 0.01;
+constexpr double MinGap = 0.01;
 
 /// Largest relative difference between the distance of planes in the header and in the frames.
 constexpr double LargestChange = 0.02;
@@ -80,7 +80,7 @@ public:
     : Frames(frames)
     , Normal(normal)
     , Order(frames.size())
-    , Least(LeastGap * PixelSide(frames.front()))
+    , Least(MinGap * PixelSide(frames.front()))
   {
     std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
     std::stable_sort(this->Order.begin(), this->Order.end(),

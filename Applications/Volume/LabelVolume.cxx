@@ -23,7 +23,7 @@ using namespace volume;
 namespace
 {
 /// Largest cosine of the angle between perpendicular axes that a header rounded, as in AreClose().
-constexpr double LargestCosine = 1e-3;
+constexpr double MaxCosine = 1e-3;
 
 /// Largest cosine of the angle between axes of a vtkImageData that count as perpendicular.
 constexpr double CosineOfRounding = 1e-6;
@@ -45,7 +45,7 @@ double LargestCosineOf(const VolumeGeometry& geometry)
 VolumeGeometry Perpendicular(const VolumeGeometry& geometry)
 {
   const double cosine = LargestCosineOf(geometry);
-  if (cosine <= CosineOfRounding || cosine > LargestCosine)
+  if (cosine <= CosineOfRounding || cosine > MaxCosine)
   {
     return geometry;
   }

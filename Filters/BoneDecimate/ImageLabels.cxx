@@ -63,16 +63,15 @@ std::string ReadLayers(vtkImageData* image, bool ofCells, VoxelGrid& grid)
   {
     return name + " does not have one position for each layer of the image";
   }
-  double least = LargestCoordinate;
+  double least = MaxCoordinate;
   for (vtkIdType k = 0; k < layers->GetNumberOfTuples(); ++k)
   {
-    const double distance =
-      k > 0 ? layers->GetComponent(k, 0) - grid.Layers.back() : LargestCoordinate;
+    const double distance = k > 0 ? layers->GetComponent(k, 0) - grid.Layers.back() : MaxCoordinate;
     least = distance < least || std::isnan(distance) ? distance : least;
     grid.Layers.push_back(layers->GetComponent(k, 0));
   }
   grid.Spacing[2] = grid.Layers.size() > 1 ? least : grid.Spacing[2];
-  return least > 0.0 && grid.Layers[0] == 0.0 && grid.Layers.back() <= LargestCoordinate
+  return least > 0.0 && grid.Layers[0] == 0.0 && grid.Layers.back() <= MaxCoordinate
     ? std::string()
     : name + " does not ascend from 0";
 }

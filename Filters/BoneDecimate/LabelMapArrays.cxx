@@ -133,7 +133,7 @@ private:
     {
       for (int k = 0; k < components; ++k)
       {
-        if (!(std::abs(array->GetComponent(tuple, k)) <= LargestCoordinate))
+        if (!(std::abs(array->GetComponent(tuple, k)) <= MaxCoordinate))
         {
           this->Reject(name, "has a value that is not finite or beyond 1e30");
           return nullptr;

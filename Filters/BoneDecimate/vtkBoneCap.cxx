@@ -26,7 +26,7 @@
 namespace
 {
 const bonedecimate::NumberRange ChoiceRange = { 0, 1, true, "" };
-const bonedecimate::NumberRange ToleranceRange = { 0, bonedecimate::LargestNumber, false, "mm" };
+const bonedecimate::NumberRange ToleranceRange = { 0, bonedecimate::MaxNumber, false, "mm" };
 
 std::vector<bonedecimate::Triangle> Triangulate(const bonedecimate::Contours& contours)
 {

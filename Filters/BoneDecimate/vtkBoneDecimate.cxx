@@ -82,7 +82,7 @@ void vtkBoneDecimate::ForgetTargetReduction()
 double vtkBoneDecimate::LargestErrorOf(double voxelSize) const
 {
   const bonedecimate::Options& options = this->State->Options;
-  return options.LargestError(options.VoxelSize > 0.0 ? options.VoxelSize : voxelSize);
+  return options.MaxError(options.VoxelSize > 0.0 ? options.VoxelSize : voxelSize);
 }
 
 //------------------------------------------------------------------------------

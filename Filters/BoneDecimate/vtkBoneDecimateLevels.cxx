@@ -108,8 +108,8 @@ void vtkBoneDecimateLevels::SetNumberOfTriangles(int triangles)
 //------------------------------------------------------------------------------
 void vtkBoneDecimateLevels::SetLevelError(double millimeters)
 {
-  this->State->Rejected.SetNumber(this, "LevelError",
-    { 0.0, bonedecimate::LargestNumber, false, "mm" }, millimeters, this->LevelError);
+  this->State->Rejected.SetNumber(this, "LevelError", { 0.0, bonedecimate::MaxNumber, false, "mm" },
+    millimeters, this->LevelError);
 }
 
 //------------------------------------------------------------------------------

@@ -111,7 +111,7 @@ void vtkBoneErrorSearch::SetRelativePrecision(double ratio)
 //------------------------------------------------------------------------------
 void vtkBoneErrorSearch::AddError(double millimeters)
 {
-  const bonedecimate::NumberRange range = { 0.0, bonedecimate::LargestNumber, false, "mm" };
+  const bonedecimate::NumberRange range = { 0.0, bonedecimate::MaxNumber, false, "mm" };
   if (millimeters > 0.0 && bonedecimate::IsInRange(range, millimeters))
   {
     this->Errors.push_back(millimeters);

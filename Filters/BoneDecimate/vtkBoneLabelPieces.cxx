@@ -40,7 +40,7 @@ struct vtkBoneLabelPieces::Internals
   void SetLimit(vtkBoneLabelPieces* filter, const char* property, double value, double& member)
   {
     this->Rejected.SetNumber(
-      filter, property, { 0.0, bonedecimate::LargestNumber, false, {} }, value, member);
+      filter, property, { 0.0, bonedecimate::MaxNumber, false, {} }, value, member);
   }
 };
 

@@ -93,8 +93,8 @@ vtkBoneSurfaceDistanceName(SideArrayName)
   //------------------------------------------------------------------------------
   void vtkBoneSurfaceDistance::SetTolerance(double millimeters)
 {
-  this->Internal->Rejected.SetNumber(this, "Tolerance",
-    { 0.0, bonedecimate::LargestNumber, false, "mm" }, millimeters, this->Tolerance);
+  this->Internal->Rejected.SetNumber(
+    this, "Tolerance", { 0.0, bonedecimate::MaxNumber, false, "mm" }, millimeters, this->Tolerance);
 }
 
 void vtkBoneSurfaceDistance::RemoveTolerance()

@@ -50,7 +50,7 @@ namespace
 /// Negative is no limit.
 bonedecimate::NumberRange ToleranceRange()
 {
-  return { -bonedecimate::LargestNumber, bonedecimate::LargestNumber, false, "mm" };
+  return { -bonedecimate::MaxNumber, bonedecimate::MaxNumber, false, "mm" };
 }
 
 /// The id of the first value that is NaN or beyond 1e30 in absolute value; -1 if there is none.
@@ -138,7 +138,7 @@ void vtkBoneTolerance::SetOutsideTolerance(double millimeters)
 void vtkBoneTolerance::SetFeather(double millimeters)
 {
   this->Internal->Rejected.SetNumber(
-    this, "Feather", { 0.0, bonedecimate::LargestNumber, false, "mm" }, millimeters, this->Feather);
+    this, "Feather", { 0.0, bonedecimate::MaxNumber, false, "mm" }, millimeters, this->Feather);
 }
 
 std::string vtkBoneTolerance::GetRejectedValue(const std::string& property) const

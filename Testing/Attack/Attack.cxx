@@ -154,7 +154,7 @@ void Print(const Totals& totals)
               "%.4f of the error was used; no violation\n",
     static_cast<long long>(totals.Runs), static_cast<long long>(totals.Rejected),
     static_cast<long long>(totals.TrianglesIn), static_cast<long long>(totals.TrianglesOut),
-    totals.LargestRatio);
+    totals.MaxRatio);
   if (totals.Guarded > 0)
   {
     std::printf("%lld runs were smoothed, in %lld voxels were guarded, %lld results were counted "

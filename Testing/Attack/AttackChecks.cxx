@@ -204,8 +204,8 @@ std::string WhatBoundBroke(
   options.TightBounds = false;
   options.NumberOfThreads = 1;
   const Certificate found = Certify(cleaned.Surface, result, options);
-  totals.LargestRatio =
-    error > 0.0 ? std::max(totals.LargestRatio, found.Upper() / error) : totals.LargestRatio;
+  totals.MaxRatio =
+    error > 0.0 ? std::max(totals.MaxRatio, found.Upper() / error) : totals.MaxRatio;
   return found.Proof == ProofStatus::Proved ? std::string() : WhatItSays(found);
 }
 

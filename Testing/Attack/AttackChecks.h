@@ -32,7 +32,7 @@ struct Totals
   std::int64_t Rejected = 0; // no surface, or an error below the requested precision
   std::int64_t TrianglesIn = 0;
   std::int64_t TrianglesOut = 0;
-  double LargestRatio = 0.0; // of the distance to the allowed error
+  double MaxRatio = 0.0; // of the distance to the allowed error
   // Counts of runs on label maps:
   std::int64_t Smoothed = 0;
   std::int64_t Guarded = 0;

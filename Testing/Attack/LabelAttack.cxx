@@ -343,7 +343,7 @@ std::string WhatThreadsChanged(const LabelAttack& attack, const Result& result)
 bool IsSmoothedTooFar(const LabelAttack& attack, const SmoothingFigures& figures)
 {
   const Options& options = attack.Run.Requested;
-  return figures.LargestDisplacement > figures.Bound ||
+  return figures.MaxDisplacement > figures.Bound ||
     (options.Smoothing > 0.0 && figures.Bound > options.Smoothing);
 }
 

@@ -15,8 +15,8 @@ namespace bonedecimate::testsupport
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr Index MostAround = 70;            // points of a loop
-constexpr std::size_t MostTriangles = 3000; // of which all pairs are tested
+constexpr Index MaxAround = 70;            // points of a loop
+constexpr std::size_t MaxTriangles = 3000; // of which all pairs are tested
 
 using Ring = NearVictim::Ring;
 
@@ -30,8 +30,7 @@ Vector3 AnyDirection(Random& random)
 
 Loop Circle(const Vector3& center, const Vector3& x, const Vector3& y, double radius, double edge)
 {
-  const Index count =
-    std::clamp<Index>(static_cast<Index>(2.0 * Pi * radius / edge), 8, MostAround);
+  const Index count = std::clamp<Index>(static_cast<Index>(2.0 * Pi * radius / edge), 8, MaxAround);
   Loop loop;
   for (Index i = 0; i < count; ++i)
   {
@@ -383,7 +382,7 @@ NearVictim AnyNearVictim(Random& random)
   const auto maker =
     makers[static_cast<std::size_t>(random.Below(static_cast<Index>(makers.size())))];
   NearVictim victim = maker(random);
-  while (victim.Surface.Triangles.size() > MostTriangles || CountCrossings(victim.Surface) > 0)
+  while (victim.Surface.Triangles.size() > MaxTriangles || CountCrossings(victim.Surface) > 0)
   {
     victim = maker(random);
   }

@@ -24,7 +24,7 @@ using bonedecimate::testsupport::Bytes;
 
 namespace
 {
-constexpr int MostPoints = 60;
+constexpr int MaxPoints = 60;
 
 struct Question
 {
@@ -89,7 +89,7 @@ double Coordinate(Bytes& bytes, bool hasNonsense)
 Surface AnySurface(Bytes& bytes, bool hasNonsense)
 {
   Surface surface;
-  const int points = bytes.Below(MostPoints + 1);
+  const int points = bytes.Below(MaxPoints + 1);
   for (int p = 0; p < points; ++p)
   {
     const double x = Coordinate(bytes, hasNonsense);

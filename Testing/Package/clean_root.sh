@@ -26,9 +26,11 @@ add() {
     return 1
   fi
 }
-# The first program in that language that the README prints.
+# Usage: printed PAGE LANGUAGE [SECTION]: the first block in that language on the page of Documentation, from the section on.
 printed() {
-  awk -v opening="^\`\`\`$1\$" '$0 ~ opening { on = 1; next } on && /^```$/ { exit } on' "$project/README.md"
+  awk -v opening="^\`\`\`$2\$" -v section="## ${3:-}" '
+    !below { below = index($0, section) == 1 || section == "## " }
+    below && $0 ~ opening { on = 1; next } on && /^```$/ { exit } on' "$project/Documentation/$1.md"
 }
 
 say "A clean root"
@@ -66,17 +68,18 @@ inside bonedecimate $there/patch.stl $there/small.stl --max-error 0.1
 
 say "The Python package"
 add python3-vtk9
-printed python > "$work/readme.py"
-inside python3 $there/readme.py
+printed python python VTK > "$work/example.py"
+inside python3 $there/example.py
 
 say "A project of its own against the headers"
 add cmake g++ ninja-build libvtk9-dev
-printed cpp > "$work/shrink.cxx"
-printed cmake > "$work/CMakeLists.txt"
+printed tutorials/cpp cpp > "$work/bones.cxx"
+printed tutorials/cpp cmake > "$work/CMakeLists.txt"
+"$build/bin/bonedecimate-phantom" "$work/labels.mha" --size small --labels
 inside cmake -G Ninja -S $there -B $there/build > /dev/null
 inside cmake --build $there/build | tail -n 1
-inside $there/build/shrink $there/patch.stl $there/shrunk.vtp
-inside bonedecimate diagnose $there/shrunk.vtp
+inside $there/build/bones $there/labels.mha $there/bones.vtp
+inside bonedecimate diagnose $there/bones.vtp
 
 say "Removed again"
 inside apt-get -q -y remove vtkbonedecimate > "$root/apt.log"

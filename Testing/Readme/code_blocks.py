@@ -23,6 +23,12 @@ def blocks_of(page):
     return found
 
 
+def block(page, section, language):
+    """The code block of that language in that section; there must be exactly one."""
+    (text,) = [text for title, name, text in blocks_of(page) if (title, name) == (section, language)]
+    return text
+
+
 def words_of(line):
     """A line without its numbers and the width of its spaces."""
     return " ".join(NUMBER.sub("0", line).split())

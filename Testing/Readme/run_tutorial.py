@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs every code block of a tutorial as printed and compares what it says: run_tutorial.py PAGE.md [--write]
 
---write puts what the blocks say now into the page. PROGRAMS is the folder of the programs, BINARY_DIR the build of the project, which
-pages with C++ need, and PACKAGE that of the package for npm, which pages with JavaScript need.
+--write puts what the blocks say now into the page. PROGRAMS is the folder of the programs. Pages with C++ are built against what BINARY_DIR,
+the build of the project, installs, and without it against what the system has. Pages with JavaScript need PACKAGE, the package for npm.
 """
 
 import os
@@ -21,9 +21,11 @@ def environment_of(blocks, folder):
     languages = {language for _, language, _ in blocks}
     found = {"PATH": os.pathsep.join([os.environ.get("PROGRAMS", ""), os.environ["PATH"]])}
     if "cmake" in languages:
-        prefix = str(folder / "installed")
-        subprocess.run(["cmake", "--install", os.environ["BINARY_DIR"], "--prefix", prefix], check=True, stdout=subprocess.DEVNULL)
-        found |= {"CMAKE_PREFIX_PATH": prefix, "CMAKE_GENERATOR": "Ninja"}
+        found["CMAKE_GENERATOR"] = "Ninja"
+        if "BINARY_DIR" in os.environ:
+            found["CMAKE_PREFIX_PATH"] = str(folder / "installed")
+            subprocess.run(["cmake", "--install", os.environ["BINARY_DIR"], "--prefix", found["CMAKE_PREFIX_PATH"]], check=True,
+                           stdout=subprocess.DEVNULL)
     if "js" in languages:
         (folder / "node_modules").mkdir()
         (folder / "node_modules" / "bonedecimate").symlink_to(pathlib.Path(os.environ["PACKAGE"]).resolve())

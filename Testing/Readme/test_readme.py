@@ -1,10 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the code blocks of the README as printed and compares the documentation with the program.
-
-Without BINARY_DIR the C++ example is built against what is installed in the system.
-The example for ParaView is run by Testing/ParaView/readme_test.py, that for 3D Slicer by Testing/Slicer/slicer_core_test.py.
-"""
+"""Runs the README and examples of other pages as printed and compares the documentation with the program."""
 
 import json
 import os
@@ -16,19 +12,18 @@ import unittest
 
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from code_blocks import blocks_of
-from readme import block, blocks
+from code_blocks import Runner, block, blocks_of
 
 SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
+PAGES = SOURCE / "Documentation"
+README = SOURCE / "README.md"
 sys.path.append(str(SOURCE / "Utilities" / "site"))
 import gallery  # noqa: E402
-BINARY = os.environ.get("BINARY_DIR")
 PROGRAM = os.environ["PROGRAM"]
 PHANTOM = os.environ["PHANTOM"]
-TESTED = [("Two commands on Debian 12", "sh"), ("Program", "sh"), ("Python", "python"), ("ParaView", "python"), ("3D Slicer", "python"),
-          ("C++", "cpp"), ("C++", "cmake")]
+PATH = os.pathsep.join([str(pathlib.Path(PROGRAM).parent), os.environ["PATH"]])
+FIRST, TWO = "# vtkBoneDecimate", "Two commands on Debian 12"
 
 
 def run(*words, **keywords):
@@ -39,10 +34,17 @@ def run(*words, **keywords):
 
 class Readme(unittest.TestCase):
     def test_every_block_is_run(self):
-        self.assertEqual([(section, language) for section, language, _ in blocks()], TESTED)
+        self.assertEqual([found[:2] for found in blocks_of(README)], [(FIRST, "sh"), (FIRST, "text"), (TWO, "sh")])
+
+    def test_first_command_prints_what_the_page_says(self):
+        with tempfile.TemporaryDirectory() as name:
+            run(PHANTOM, "ct.mha", cwd=name)
+            runner = Runner(pathlib.Path(name), PATH=PATH)
+            runner.run("sh", block(README, FIRST, "sh"))
+            self.assertEqual(runner.run("text", block(README, FIRST, "text")), [])
 
     def test_two_commands_are_there(self):
-        for line in block("Two commands on Debian 12", "sh").splitlines():
+        for line in block(README, TWO, "sh").splitlines():
             self.assertTrue(os.access(SOURCE / line.split()[0], os.X_OK), line)
 
     def test_commands_run_as_printed(self):
@@ -54,15 +56,14 @@ class Readme(unittest.TestCase):
                 self.write_sphere(folder / "bones" / bone, 20.0, 60, 30)
             run(PHANTOM, str(folder / "ct.mha"), "--size", "small")
             run(PHANTOM, str(folder / "labels.mha"), "--size", "small", "--labels")
-            path = os.pathsep.join([str(pathlib.Path(PROGRAM).parent), os.environ["PATH"]])
-            run("sh", "-e", "-c", block("Program", "sh"), cwd=name, env={**os.environ, "PATH": path})
+            run("sh", "-e", "-c", block(PAGES / "command-line.md", "Commands", "sh"), cwd=name, env={**os.environ, "PATH": PATH})
             report = json.loads((folder / "small.json").read_text(encoding="utf-8"))
             self.assertEqual(report["output"]["triangles"], 20000)
             for file in ("small.vtp", "small.html", "small.stl", "part.stl", "bone.vtp", "segments/label_3.vtp", "small/left.stl", "small/right.stl", "closed.stl"):
                 self.assertTrue((folder / file).is_file(), file)
 
     def test_commands_of_the_gallery_are_those_of_its_script_and_accepted(self):
-        commands = [line.split()[1:] for _, _, text in blocks_of(SOURCE / "Documentation" / "gallery.md") for line in text.splitlines()]
+        commands = [line.split()[1:] for _, _, text in blocks_of(PAGES / "gallery.md") for line in text.splitlines()]
         self.assertGreater(len(commands), 5)
         drawn = [set(panel.words.split()) - {"{}.vtp", "{}/", "--format", "vtp"} for picture in gallery.PICTURES.values() for panel in picture.panels]
         for words in commands:
@@ -74,26 +75,9 @@ class Readme(unittest.TestCase):
                 self.assertIn("ends at", run(PROGRAM, *words, "--explain", cwd=name), words)
 
     def test_python_program_runs_as_printed(self):
-        printed = run(sys.executable, "-c", block("Python", "python"))
+        printed = run(sys.executable, "-c", block(PAGES / "python.md", "VTK", "python"))
         self.assertIn("2000 triangles", printed)
         self.assertLess(float(printed.splitlines()[1].split()[0]), 1.0)
-
-    def test_cpp_program_builds_against_the_installed_package_and_runs(self):
-        with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            if BINARY:
-                run("cmake", "--install", BINARY, "--prefix", str(folder / "prefix"))
-            (folder / "shrink.cxx").write_text(block("C++", "cpp"), encoding="utf-8")
-            (folder / "CMakeLists.txt").write_text(block("C++", "cmake"), encoding="utf-8")
-            run("cmake", "-G", "Ninja", "-S", name, "-B", str(folder / "build"),
-                f"-DCMAKE_PREFIX_PATH={folder / 'prefix'}")
-            run("cmake", "--build", str(folder / "build"))
-            self.write_sphere(folder / "in.stl")
-            run(str(folder / "build" / "shrink"), str(folder / "in.stl"), str(folder / "out.vtp"))
-            reader = vtkXMLPolyDataReader()
-            reader.SetFileName(str(folder / "out.vtp"))
-            reader.Update()
-            self.assertEqual(reader.GetOutput().GetNumberOfPolys(), 784 * 0.2 // 2 * 2)
 
     @staticmethod
     def write_sphere(path, radius=0.5, theta=28, phi=16):
@@ -108,7 +92,7 @@ class Readme(unittest.TestCase):
         writer.Write()
 
     def test_documented_options_are_the_programs(self):
-        documented = (SOURCE / "Documentation" / "options.md").read_text(encoding="utf-8")
+        documented = (PAGES / "options.md").read_text(encoding="utf-8")
         self.assertIn(run(PROGRAM, "--options-markdown").strip(), documented)
 
 

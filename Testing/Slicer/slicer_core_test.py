@@ -11,7 +11,6 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import types
 import unittest
 
 import numpy as np
@@ -21,13 +20,11 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 PROGRAM = os.environ["BONEDECIMATE_PROGRAM"]
 sys.path.insert(0, os.environ["SLICER_MODULE"])
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Readme"))
 from BoneDecimatorLib import logic as module  # noqa: E402
 from BoneDecimatorLib.engines import Canceled, DecimationError, ProgramEngine, WheelEngine  # noqa: E402
 from BoneDecimatorLib.logic import BoneDecimatorLogic, surface_of  # noqa: E402
 from BoneDecimatorLib.request import Request  # noqa: E402
 from BoneDecimatorLib.surfaces import report_of  # noqa: E402
-import readme  # noqa: E402
 
 
 def ball(radius=20.0):
@@ -131,13 +128,6 @@ class Logic(unittest.TestCase):
             found.append((positions(surface), vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).tolist()))
         self.assertEqual(*found)
         print("\n  " + "; ".join(lines))
-
-    def test_example_of_the_readme_runs_as_printed(self):
-        scene, node = scene_with_ball()
-        names = {"slicer": types.SimpleNamespace(mrmlScene=scene), "bone": node}
-        exec(compile(readme.block("3D Slicer", "python"), "README.md", "exec"), names)
-        self.assertLess(surface_of(names["small"]).GetNumberOfPolys(), ball().GetNumberOfPolys())
-        self.assertIn("proved", " ".join(names["lines"]))
 
     def test_a_brush_of_points_leaves_everything_else_bit_for_bit(self):
         for engine in self.engines():

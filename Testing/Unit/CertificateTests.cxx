@@ -233,8 +233,8 @@ TEST(Certificate, HoldsForAnyCandidatesOfTheSearch)
     goal.CloseBelow = -Infinity;
     goal.RelativeGap = 1e-6;
     goal.Slack = Slack(frame.Extent);
-    goal.LeastGap = 4.0 * goal.Slack;
-    goal.MostCuts = 1000;
+    goal.MinGap = 4.0 * goal.Slack;
+    goal.MaxCuts = 1000;
     goal.NumberOfThreads = 1;
     const DistanceBounds found = FindLargestExcess(source, target, values, goal, {}, GoOn);
     const Sampled sampled = SampleDistance(pair.Reference, pair.Result, 8);
@@ -248,7 +248,7 @@ TEST(Certificate, BoundsAreValidWithFewCuts)
   const Surface reference = BumpySphere(3, 10.0, 0.1, 5);
   const Surface result = Icosphere(1, 10.0);
   CertificateOptions options;
-  options.MostCuts = 1;
+  options.MaxCuts = 1;
   const Certificate few = Certify(reference, result, options);
   const Certificate full = Certify(reference, result);
   EXPECT_GE(few.Upper(), full.Lower());
@@ -314,7 +314,7 @@ TEST(Certificate, OfAFlatPartInOtherTrianglesEndsSoonWithALeastGap)
     p = p.unaryExpr([](double x) { return static_cast<double>(static_cast<float>(x)); });
   }
   CertificateOptions options;
-  options.LeastGap = 1e-5;
+  options.MinGap = 1e-5;
   const Certificate found = Certify(grid, Grid(1), options);
   EXPECT_LE(found.Upper(), 1e-5);
   EXPECT_LT(found.ResultToReference.Distance.Cuts, 200000);

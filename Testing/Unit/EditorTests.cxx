@@ -172,7 +172,7 @@ TEST_P(EveryCollapse, KeepsAreasAndPointsUpToDate)
       {
         const double distance = BruteNearest(before, edit.Position).Distance;
         EXPECT_GE(editor.Reference().RunningError(edit.Keep), distance - 1e-12);
-        EXPECT_GE(editor.Reference().LargestError(), distance - 1e-12);
+        EXPECT_GE(editor.Reference().MaxError(), distance - 1e-12);
       }
     });
 }

@@ -120,7 +120,7 @@ TEST(ErrorBound, IsRejectedIfSinglePrecisionCannotKeepIt)
   const Report rejected = run(beyond, -1.0, PointsPrecision::Single);
   EXPECT_EQ(rejected.Status, InputStatus::SinglePrecisionTooCoarse);
   EXPECT_GT(rejected.Cleaning.CoarsePoints, 0);
-  EXPECT_GT(rejected.Cleaning.LargestRounding, beyond);
+  EXPECT_GT(rejected.Cleaning.MaxRounding, beyond);
   EXPECT_NE(InputMessage(rejected).find("double precision"), std::string::npos);
   EXPECT_EQ(run(0.1, 0.0, PointsPrecision::Single).Status, InputStatus::SinglePrecisionTooCoarse);
   for (const Report& kept : { run(0.1, -1.0, PointsPrecision::Single),

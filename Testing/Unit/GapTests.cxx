@@ -173,7 +173,7 @@ bool IsStillAccepted(bool hasGap)
   const Surface speck =
     Moved(Scaled(Tetrahedron(), 0.1), hasGap ? Vector3(6.95, 3.95, 0.3) : Vector3(3.0, 3.95, 0.3));
   CleanSurface clean = Clean(Together(Together(Grid(8), wide), speck), true);
-  SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
+  SplitIntoManifoldPatches(clean);
   Editor editor(clean, Guarded(0.2));
   Workspace here;
   Workspace there;

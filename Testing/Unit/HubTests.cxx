@@ -92,7 +92,7 @@ std::int64_t ChangedFaces(const Surface& surface, double error)
     [&faces](const Editor& at, const Edit& edit)
     {
       const Index changed = at.Mesh().OutgoingOf(edit.Keep).Count();
-      EXPECT_LE(changed, MostFacesOfEdit);
+      EXPECT_LE(changed, MaxFacesOfEdit);
       faces += changed;
     });
   BucketSweep(editor, { 64, 0.0 }, 1).Run([](double) { return true; });
@@ -126,12 +126,12 @@ double VisitsOfQuery(const Surface& surface)
 
 TEST(Hub, NoEdgeOfAHubIsCollapsed)
 {
-  for (const Index sides : { MostFacesOfEdit / 2, 4 * MostFacesOfEdit })
+  for (const Index sides : { MaxFacesOfEdit / 2, 4 * MaxFacesOfEdit })
   {
     const CleanSurface cleaned = Clean(TwoFans(sides, Radius, 5.0), true);
     Editor editor(cleaned, EditorSettings());
     const HalfEdgeMesh& mesh = editor.Mesh();
-    const bool isHub = sides > MostFacesOfEdit;
+    const bool isHub = sides > MaxFacesOfEdit;
     Index hubs = 0;
     for (const Index h : HalfEdges(mesh))
     {
@@ -145,7 +145,7 @@ TEST(Hub, NoEdgeOfAHubIsCollapsed)
 
 TEST(Hub, AHubDoesNotMoveAndNoFlipJoinsTwo)
 {
-  const Index sides = 4 * MostFacesOfEdit;
+  const Index sides = 4 * MaxFacesOfEdit;
   const CleanSurface cleaned = Clean(TwoFans(sides, Radius, 5.0), true);
   Editor editor(cleaned, EditorSettings());
   const HalfEdgeMesh& mesh = editor.Mesh();

@@ -76,7 +76,7 @@ TEST(InputSize, AllowedErrorsBeyondTheDiagonalCountAsTheDiagonalAndTheReportSays
       options.AllowLargeError = true;
       const Report report = Decimate(Ball(), options).Report;
       ASSERT_EQ(report.Status, InputStatus::Good) << error;
-      EXPECT_EQ(report.Size.LargestError, error);
+      EXPECT_EQ(report.Size.MaxError, error);
       EXPECT_NEAR(report.Size.ErrorBound, DiagonalOf(Ball()), 1e-9);
       EXPECT_EQ(report.Proof.Tolerance, report.Size.ErrorBound);
       EXPECT_EQ(report.Proof.Status, ProofStatus::Proved);

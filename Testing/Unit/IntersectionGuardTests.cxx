@@ -172,10 +172,10 @@ TEST(IntersectionGuard, FragmentGapAgreesWithBruteForce)
   for (const Surface& shape : shapes)
   {
     const double expected = LeastDistanceOfComponents(shape);
-    EXPECT_LE(LeastFragmentGap(shape), expected + 1e-12);
-    EXPECT_GE(LeastFragmentGap(shape), expected - 0.02);
+    EXPECT_LE(MinFragmentGap(shape), expected + 1e-12);
+    EXPECT_GE(MinFragmentGap(shape), expected - 0.02);
   }
-  EXPECT_TRUE(std::isinf(LeastFragmentGap(Icosphere(2, 1.0))));
+  EXPECT_TRUE(std::isinf(MinFragmentGap(Icosphere(2, 1.0))));
 }
 
 TEST(GapRule, AreTheDistancesToWhatFacesAcross)

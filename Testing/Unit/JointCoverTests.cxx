@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace bonedecimate::testsupport
 {
 namespace
@@ -22,11 +24,22 @@ Corners CornersOf(const Surface& surface, Index triangle)
   return { surface.Points[a], surface.Points[b], surface.Points[c] };
 }
 
+/// mm, for the coordinates of these tests.
+constexpr double Slack = 1e-11;
+
+/// A cover of the triangle without candidates.
+JointCover CoverOf(const Corners& triangle)
+{
+  JointCover cover;
+  cover.Begin(Slack);
+  cover.Cover(triangle.data(), triangle.size());
+  return cover;
+}
+
 /// A cover of the triangle by all triangles of a surface.
 JointCover CoverBy(const Surface& surface, const Corners& triangle)
 {
-  JointCover cover;
-  cover.Begin(triangle);
+  JointCover cover = CoverOf(triangle);
   for (Index i = 0; i < static_cast<Index>(surface.Triangles.size()); ++i)
   {
     EXPECT_TRUE(cover.Add(CornersOf(surface, i), i));
@@ -76,6 +89,24 @@ TEST(JointCover, MeasuresTheDistanceOfAPoint)
   }
 }
 
+TEST(JointCover, MeasuresToTrianglesOfAnySize)
+{
+  Random random(6);
+  for (int exponent = -170; exponent <= 30; exponent += 2)
+  {
+    const double size = std::pow(10.0, exponent);
+    const Vector3 p = std::max(size, 1.0) * Vector3(0.3, 0.4, 1.2);
+    const Corners candidate = { size * random.InCube(1e-3), size * random.InCube(1e-3),
+      size * random.InCube(1e-3) };
+    JointCover cover = CoverOf({ p, p, p });
+    cover.Add(candidate, 0);
+    ASSERT_EQ(cover.Run(1e32, 3), Outcome::Covered);
+    const Surface one = { { candidate[0], candidate[1], candidate[2] }, { { 0, 1, 2 } } };
+    const double exact = size < 1e-100 ? p.norm() : BruteNearest(one, p).Distance;
+    EXPECT_NEAR(cover.Upper() / exact, 1.0, 1e-12) << exponent;
+  }
+}
+
 TEST(JointCover, IsAnUpperBoundOfTheDistance)
 {
   Random random(3);
@@ -88,7 +119,7 @@ TEST(JointCover, IsAnUpperBoundOfTheDistance)
     for (const double factor : { 0.9, 1.0, 1.05, 1.2, 1.5, 3.0 })
     {
       JointCover cover = CoverBy(surface, triangle);
-      if (cover.Run(factor * largest, JointCover::MostCorners) == Outcome::Covered)
+      if (cover.Run(factor * largest, JointCover::MaxCorners) == Outcome::Covered)
       {
         ++covered;
         EXPECT_GE(cover.Upper() * (1.0 + 1e-12), largest) << seed;
@@ -122,18 +153,17 @@ TEST(JointCover, NeedsAllTrianglesThatOnlyTogetherAreNear)
 {
   // Nine squares in a row, and a triangle 0.1 above them.
   const Corners over = { Vector3{ 0.1, 0.1, 0.1 }, { 8.9, 0.5, 0.1 }, { 0.1, 0.9, 0.1 } };
-  JointCover cover;
-  cover.Begin(over);
+  JointCover cover = CoverOf(over);
   Index id = 0;
   for (int x = 0; x < 9; ++x)
   {
     for (Index i = 0; i < 2; ++i)
     {
-      EXPECT_TRUE(i == 1 || cover.Run(0.3, JointCover::MostCorners) != Outcome::Covered) << x;
+      EXPECT_TRUE(i == 1 || cover.Run(0.3, JointCover::MaxCorners) != Outcome::Covered) << x;
       EXPECT_TRUE(cover.Add(CornersOf(SquareFrom(x), i), id++));
     }
   }
-  ASSERT_EQ(cover.Run(0.3, JointCover::MostCorners), Outcome::Covered);
+  ASSERT_EQ(cover.Run(0.3, JointCover::MaxCorners), Outcome::Covered);
   EXPECT_GE(cover.Upper(), 0.1);
   EXPECT_LE(cover.Upper(), 0.3);
 }
@@ -143,11 +173,41 @@ TEST(JointCover, NamesAPositionThatIsFar)
   Surface surface = SquareFrom(0.0);
   const Corners over = { Vector3{ 0.1, 0.1, 0.1 }, { 8.9, 0.5, 0.1 }, { 0.1, 0.9, 0.1 } };
   JointCover cover = CoverBy(surface, over);
-  ASSERT_EQ(cover.Run(7.0, JointCover::MostCorners), Outcome::Far);
+  ASSERT_EQ(cover.Run(7.0, JointCover::MaxCorners), Outcome::Far);
   EXPECT_GT(BruteNearest(surface, cover.FarPosition()).Distance, 7.0);
   EXPECT_EQ(cover.NearestToFar(), BruteNearest(surface, cover.FarPosition()).Triangle);
-  EXPECT_EQ(cover.Run(8.0, JointCover::MostCorners), Outcome::Covered) << "with a larger limit";
+  EXPECT_EQ(cover.Run(8.0, JointCover::MaxCorners), Outcome::Covered) << "with a larger limit";
   EXPECT_NEAR(cover.Upper(), Vector3(7.9, 0.0, 0.1).norm(), 1e-12);
+}
+
+TEST(JointCover, MeasuresToCandidatesThatAreAddedLater)
+{
+  const Corners over = { Vector3{ 0.1, 0.1, 0.1 }, { 8.9, 0.5, 0.1 }, { 0.1, 0.9, 0.1 } };
+  JointCover cover = CoverOf(over);
+  Index id = 0;
+  const auto add = [&](double x)
+  {
+    for (Index i = 0; i < 2; ++i)
+    {
+      EXPECT_TRUE(cover.Add(CornersOf(SquareFrom(x), i), id++));
+    }
+  };
+  for (const double x : { 0.0, 4.0, 8.0, 50.0 })
+  {
+    add(x);
+  }
+  ASSERT_EQ(cover.Run(0.3, JointCover::MaxCorners), Outcome::Far) << "beside the middle";
+  for (const double x : { 60.0, 70.0, 80.0 })
+  {
+    add(x);
+    EXPECT_EQ(cover.Run(0.3, JointCover::MaxCorners), Outcome::Far) << "these are far, too";
+  }
+  for (const double x : { 1.0, 2.0, 3.0, 5.0, 6.0, 7.0 })
+  {
+    add(x);
+  }
+  ASSERT_EQ(cover.Run(0.3, JointCover::MaxCorners), Outcome::Covered);
+  EXPECT_GE(cover.Upper(), 0.1);
 }
 
 TEST(JointCover, EndsWithTheLargestNumberOfCorners)
@@ -169,15 +229,14 @@ TEST(JointCover, EndsWithTheLargestNumberOfCorners)
   }
   JointCover cover = CoverBy(row, over);
   EXPECT_EQ(cover.Run(0.2, 3), Outcome::Exceeded);
-  EXPECT_EQ(cover.Run(0.2, JointCover::MostCorners), Outcome::Covered) << "continues";
+  EXPECT_EQ(cover.Run(0.2, JointCover::MaxCorners), Outcome::Covered) << "continues";
   EXPECT_GE(cover.Upper(), 0.1);
 }
 
 TEST(JointCover, HasUpTo64Candidates)
 {
   const Corners any = CornersOf(SquareFrom(0.0), 0);
-  JointCover cover;
-  cover.Begin(any);
+  JointCover cover = CoverOf(any);
   for (Index id = 0; id < 64; ++id)
   {
     EXPECT_FALSE(cover.Has(100 + id));
@@ -220,6 +279,30 @@ TEST(PointValues, AreExactAboveWhatIsEnough)
       EXPECT_GE(value, exact - 1e-12);
       EXPECT_LE(value, std::max(exact + 1e-12, enough));
       EXPECT_EQ(value, target.ValueTo(source.Points[point], values.Simplex[point]));
+    }
+  }
+}
+
+TEST(PointValues, AreNotThoseOfAnotherLayer)
+{
+  const Surface layers = Together(Grid(4), Moved(Grid(4), { 0.0, 0.0, 1.0 }));
+  const certificate::EdgeSides sides = SidesOf(layers);
+  const certificate::Frame frame = certificate::FindFrame(layers, layers);
+  const certificate::Simplices set = certificate::WholeSurface(layers, sides, frame);
+  const Target target(set, 1, [] {});
+  Random random(7);
+  for (int k = 0; k < 100; ++k)
+  {
+    const Vector3 p(random.Between(0.0, 4.0), random.Between(0.0, 4.0), random.Between(0.0, 1.0));
+    const double exact = BruteNearest(layers, p).Distance;
+    for (const double enough : { 0.1, 0.3, 0.6 })
+    {
+      for (const Index hint : { 5, 40 }) // of either layer
+      {
+        const Target::Candidate found = target.FindNear(p, hint, enough);
+        EXPECT_LE(found.Value, std::max(exact + 1e-12, enough)) << k;
+        EXPECT_EQ(found.Value, target.ValueTo(p, found.Simplex));
+      }
     }
   }
 }

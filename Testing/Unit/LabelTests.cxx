@@ -22,7 +22,7 @@ TEST(PatchBoundaries, AreTheEdgesBetweenPatches)
 {
   const Surface ball = HalvedBall(6);
   CleanSurface clean = Clean(ball, true);
-  SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
+  SplitIntoManifoldPatches(clean);
   const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
   const PatchBoundaries lines(mesh);
   EXPECT_EQ(lines.NumberOfEdges(), CountTopology(ball).NonManifoldEdges);
@@ -40,7 +40,7 @@ TEST(PatchBoundaries, DeviationIsThatOfTheFarthestRemovedVertex)
   Surface book = ThreeLeavedBook(6); // its spine are points 0 to 6
   book.Points[2][0] += 0.25;
   CleanSurface clean = Clean(book, true);
-  SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
+  SplitIntoManifoldPatches(clean);
   const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
   PatchBoundaries lines(mesh);
   const auto anything = [](Index) { return std::numeric_limits<double>::infinity(); };
@@ -75,7 +75,7 @@ TEST_P(LabelsInMode, FeatureCurvesAreCoarserAndMatched)
   const std::vector<Segment> lines = LinesOf(result.Surface, LabelsAfter(labels, result));
   EXPECT_LT(lines.size(), before.size() / 2);
   EXPECT_GT(lines.size(), before.size() / 8);
-  EXPECT_LT(LargestDistance(before, lines), 0.5);
+  EXPECT_LT(MaxDistance(before, lines), 0.5);
   const std::set<Coordinates> positions = EndsOf(before);
   for (const Coordinates& position : EndsOf(lines))
   {
@@ -83,7 +83,7 @@ TEST_P(LabelsInMode, FeatureCurvesAreCoarserAndMatched)
   }
   EXPECT_EQ(result.Report.Output.Points + result.Report.Collapses, result.Report.Input.Points);
   ASSERT_EQ(result.Report.Labels.size(), 3U);
-  EXPECT_LT(LargestLabelChange(result.Report.Labels), 0.03);
+  EXPECT_LT(MaxLabelChange(result.Report.Labels), 0.03);
 }
 
 TEST_P(LabelsInMode, KeepWallsBetweenThemSharedAndTheirAreas)
@@ -101,7 +101,7 @@ TEST_P(LabelsInMode, KeepWallsBetweenThemSharedAndTheirAreas)
   EXPECT_EQ(LinesOf(result.Surface, LabelsAfter(labels, result)).size(),
     static_cast<std::size_t>(after.NonManifoldEdges))
     << "a label beyond its line";
-  EXPECT_LT(LargestLabelChange(result.Report.Labels), 0.01);
+  EXPECT_LT(MaxLabelChange(result.Report.Labels), 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, LabelsInMode, testing::ValuesIn(AllModes()),
@@ -148,7 +148,7 @@ TEST(Labels, OpenNoGapsWhereBonesDecimatedOneByOneDo)
   EXPECT_GT(walls, 20U);
   EXPECT_EQ(shared(together), walls);
   EXPECT_LT(shared(alone), walls / 4) << "one by one they would match as well";
-  EXPECT_LT(LargestLabelChange(result.Report.Labels), 0.01);
+  EXPECT_LT(MaxLabelChange(result.Report.Labels), 0.01);
 }
 
 TEST(Labels, FeatureCurvesStayWithinTheProvedError)
@@ -168,8 +168,8 @@ TEST(Labels, FeatureCurvesStayWithinTheProvedError)
     EXPECT_TRUE(result.Report.Proof.WasMade);
     EXPECT_LE(result.Report.Proof.Upper(), error);
     EXPECT_LT(after.size(), 0.7 * before.size());
-    EXPECT_LE(LargestDistance(before, after), error);
-    EXPECT_LE(LargestDistance(after, before), error);
+    EXPECT_LE(MaxDistance(before, after), error);
+    EXPECT_LE(MaxDistance(after, before), error);
     EXPECT_EQ(CountTopology(result.Surface).BoundaryEdges, 0);
     EXPECT_EQ(CountTopology(result.Surface).EulerNumber, CountTopology(input).EulerNumber);
   }

@@ -126,7 +126,7 @@ inline std::vector<Segment> LinesOf(const Surface& surface, const std::vector<In
 }
 
 /// mm, the largest distance of points on each curve to the nearest other curve.
-inline double LargestDistance(const std::vector<Segment>& from, const std::vector<Segment>& to)
+inline double MaxDistance(const std::vector<Segment>& from, const std::vector<Segment>& to)
 {
   double largest = 0.0;
   for (const Segment& segment : from)

@@ -100,7 +100,7 @@ Surface Mapped(Surface surface, const std::function<Vector3(const Vector3&)>& ma
   return surface;
 }
 
-double LargestDistance(const Surface& from, const Surface& to)
+double MaxDistance(const Surface& from, const Surface& to)
 {
   const std::vector<double> distances = PointDistances(from.Points, BoundingTree(to), 1, {});
   return *std::max_element(distances.begin(), distances.end());
@@ -225,8 +225,8 @@ TEST(Levels, WithALargestErrorEveryLevelKeepsIt)
   for (const Index level : { last / 4, last / 2, last })
   {
     const Surface surface = levels.At(level).Surface;
-    EXPECT_LE(LargestDistance(bone, surface), 0.2);
-    EXPECT_LE(LargestDistance(surface, bone), 0.2);
+    EXPECT_LE(MaxDistance(bone, surface), 0.2);
+    EXPECT_LE(MaxDistance(surface, bone), 0.2);
   }
 }
 
@@ -241,8 +241,8 @@ TEST(Levels, TheLevelOfAnErrorIsNoFartherFromTheInput)
   {
     const Index level = levels.ByError(error);
     const Surface surface = levels.At(level).Surface;
-    EXPECT_LE(LargestDistance(bone, surface), error);
-    EXPECT_LE(LargestDistance(surface, bone), error);
+    EXPECT_LE(MaxDistance(bone, surface), error);
+    EXPECT_LE(MaxDistance(surface, bone), error);
   }
   EXPECT_EQ(levels.ByError(0.0), 0);
   EXPECT_EQ(levels.ByError(1000.0), levels.NumberOfCollapses());
@@ -292,10 +292,10 @@ TEST(Levels, OnABentBoneTheyStayAsNearToItAsOnTheRecordedOne)
   const Index last = recorded.Levels.NumberOfCollapses();
   const std::optional<Level> there = recorded.Levels.AtOn(bent, last);
   ASSERT_TRUE(there.has_value());
-  EXPECT_LT(LargestDistance(there->Surface, bent),
-    2.0 * LargestDistance(recorded.Levels.At(last).Surface, bone));
-  EXPECT_LT(LargestDistance(bent, there->Surface),
-    2.0 * LargestDistance(bone, recorded.Levels.At(last).Surface));
+  EXPECT_LT(
+    MaxDistance(there->Surface, bent), 2.0 * MaxDistance(recorded.Levels.At(last).Surface, bone));
+  EXPECT_LT(
+    MaxDistance(bent, there->Surface), 2.0 * MaxDistance(bone, recorded.Levels.At(last).Surface));
 }
 
 TEST(Levels, UnmovedPointsAreThoseOfTheOtherSurfaceBitForBit)

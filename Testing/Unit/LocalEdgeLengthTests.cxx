@@ -55,7 +55,7 @@ double MeanEdge(const Surface& surface, const IsChosen& isChosen)
 std::vector<double> CurvaturesOf(const Surface& surface, double radius)
 {
   const CleanSurface clean = Clean(surface, true);
-  return LargestCurvatures(HalfEdgeMesh(clean.Surface), PointGraph(clean.Surface), radius, 2);
+  return MaxCurvatures(HalfEdgeMesh(clean.Surface), PointGraph(clean.Surface), radius, 2);
 }
 
 double MedianOf(std::vector<double> numbers)
@@ -80,7 +80,7 @@ TEST(ChordalLength, IsThatOfATriangleSoFarBelowASphere)
   EXPECT_EQ(ChordalLength(0.0, 0.1), Infinity);
 }
 
-TEST(LargestCurvatures, AreThoseOfSpheresCylindersAndPlanes)
+TEST(MaxCurvatures, AreThoseOfSpheresCylindersAndPlanes)
 {
   EXPECT_NEAR(MedianOf(CurvaturesOf(Icosphere(4, 10.0), 2.0)), 0.1, 0.005);
   EXPECT_NEAR(MedianOf(CurvaturesOf(Icosphere(4, 3.0), 0.6)), 1.0 / 3.0, 0.02);
@@ -91,7 +91,7 @@ TEST(LargestCurvatures, AreThoseOfSpheresCylindersAndPlanes)
   EXPECT_NEAR(MedianOf(CurvaturesOf(tube, 0.5 * radius)) * radius, 1.0, 0.05);
 }
 
-TEST(LargestCurvatures, AverageNoise)
+TEST(MaxCurvatures, AverageNoise)
 {
   // Noise of a hundredth of the radius has a curvature of its own, with both signs.
   const Surface noisy = BumpySphere(4, 10.0, 0.01, 5);
@@ -143,7 +143,7 @@ TEST(EdgeLengthArray, DecidesTheDensityAndTheProofRemains)
     EXPECT_NEAR(fine, 2.5, 0.4);
     EXPECT_NEAR(coarse, 6.4, 1.4);
     EXPECT_EQ(result.Report.Edges.Longer, 0);
-    EXPECT_NEAR(result.Report.Edges.LeastRequested, 2.5, 1e-9);
+    EXPECT_NEAR(result.Report.Edges.MinRequested, 2.5, 1e-9);
     EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
     EXPECT_LE(Certify(sphere, result.Surface).Upper(), 1.2);
   }
@@ -155,7 +155,7 @@ TEST(EdgeLengthArray, IsCappedByEdgeLength)
   const std::vector<double> far(sphere.Points.size(), 1e6);
   const Result result = RunWithLengths(sphere, Lengths(1.2, 6.0), far);
   const Result plain = Decimate(sphere, Lengths(1.2, 6.0));
-  EXPECT_EQ(result.Report.Edges.LeastRequested, 6.0);
+  EXPECT_EQ(result.Report.Edges.MinRequested, 6.0);
   EXPECT_NEAR(static_cast<double>(result.Surface.Triangles.size()),
     static_cast<double>(plain.Surface.Triangles.size()),
     0.02 * static_cast<double>(plain.Surface.Triangles.size()));
@@ -235,7 +235,7 @@ TEST(ChordalError, ShortensToATenthAtMost)
 {
   const Surface sphere = Icosphere(4, 4.0);
   const Result result = Decimate(sphere, Lengths(0.5, 10.0, 1e-4));
-  EXPECT_NEAR(result.Report.Edges.LeastRequested, 1.0, 1e-9);
+  EXPECT_NEAR(result.Report.Edges.MinRequested, 1.0, 1e-9);
 }
 
 TEST(ChordalError, GradesAcrossLabels)
@@ -245,5 +245,5 @@ TEST(ChordalError, GradesAcrossLabels)
   const Result result = RunWith(labels, ball, Lengths(0.8, 4.0, 0.2));
   ASSERT_EQ(result.Report.Status, InputStatus::Good);
   EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
-  EXPECT_LT(result.Report.Edges.LeastRequested, 4.0);
+  EXPECT_LT(result.Report.Edges.MinRequested, 4.0);
 }

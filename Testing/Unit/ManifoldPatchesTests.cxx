@@ -24,7 +24,7 @@ namespace
 CleanSurface Split(const Surface& input)
 {
   CleanSurface clean = Clean(input, true);
-  SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface));
+  SplitIntoManifoldPatches(clean);
   return clean;
 }
 
@@ -82,8 +82,17 @@ TEST_P(EachSplit, IsJoinedToTheOriginalSurface)
 
 TEST_P(EachSplit, LeavesManifoldPatchesWithStationaryDuplicates)
 {
-  CleanSurface clean = Split(GetParam().Surface);
+  CleanSurface clean = Clean(GetParam().Surface, true);
   SortAlongCurve(clean);
+  SplitIntoManifoldPatches(clean);
+  const std::vector<Index> originals = clean.ManifoldPatches.OriginalVertices;
+  const std::vector<Index> order = CurveOrder(clean.Surface.Points);
+  SortAlongCurve(clean);
+  for (std::size_t v = 0; v < originals.size(); ++v)
+  {
+    EXPECT_EQ(order[clean.ManifoldPatches.OriginalVertices[v]], originals[order[v]])
+      << "duplicates are where sorting all points puts them";
+  }
   const HalfEdgeMesh mesh(clean.Surface, 1, clean.ManifoldPatches);
   EXPECT_EQ(BrokenInvariant(mesh), "");
   std::int64_t constrained = 0; // where a patch meets itself along a single edge

@@ -59,7 +59,7 @@ Decision DecideOn(double heightBefore, double heightAfter, double degrees)
     { before.Points[0], before.Points[1], Vector3(1, heightAfter, 0) } } };
   EditFilter::Pending pending;
   ShapeLimits limits;
-  limits.LargestCosine = CosineOfDegrees(degrees);
+  limits.MaxCosine = CosineOfDegrees(degrees);
   return ShapeFilter(limits, mesh, 1).Screen(mesh, edit, pending);
 }
 }
@@ -202,7 +202,7 @@ TEST(ShapeImprover, KeepsTheMeshValidAfterEveryEdit)
   const CleanSurface clean = Clean(squeezed, true);
   EditorSettings settings;
   settings.RecordsDistances = false;
-  settings.Shape.LargestCosine = CosineOfDegrees(25.0);
+  settings.Shape.MaxCosine = CosineOfDegrees(25.0);
   Editor editor(clean, settings);
   int edits = 0;
   double smallest = SmallestAngleOf(squeezed);
@@ -227,8 +227,7 @@ TEST(ShapeImprover, KeepsTheMeshValidAfterEveryEdit)
       EXPECT_GE(angle, std::min(smallest, 25.0) - 1e-9);
       smallest = angle;
     });
-  EXPECT_TRUE(
-    ShapeImprover(editor, settings.Shape.LargestCosine).Mend([](double) { return true; }));
+  EXPECT_TRUE(ShapeImprover(editor, settings.Shape.MaxCosine).Mend([](double) { return true; }));
   EXPECT_GT(edits, 20);
   EXPECT_GT(smallest, 24.9);
 }
@@ -238,9 +237,9 @@ TEST(ShapeImprover, StopsWhenTheMonitorRequestsIt)
   const CleanSurface clean = Clean(BumpySphere(3, 10.0, 0.2, 5), true);
   EditorSettings settings;
   settings.RecordsDistances = false;
-  settings.Shape.LargestCosine = CosineOfDegrees(40.0);
+  settings.Shape.MaxCosine = CosineOfDegrees(40.0);
   Editor editor(clean, settings);
-  ShapeImprover improver(editor, settings.Shape.LargestCosine);
+  ShapeImprover improver(editor, settings.Shape.MaxCosine);
   EXPECT_FALSE(improver.Mend([](double) { return false; }));
   EXPECT_FALSE(improver.Collapse(0, [](double) { return false; }));
   EXPECT_EQ(BrokenInvariant(editor.Mesh()), "");

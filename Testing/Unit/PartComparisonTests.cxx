@@ -177,7 +177,7 @@ TEST(PartComparison, ComparesTheComponentsOfInputAndResult)
   const PartComparison& compared = result.Report.Parts;
   ASSERT_EQ(compared.Of, PartComparison::Kind::Components);
   ASSERT_EQ(compared.Parts.size(), 2U);
-  EXPECT_NEAR(compared.SmallestVolume, 27.0 * 0.125, 1e-6);
+  EXPECT_NEAR(compared.MinVolume, 27.0 * 0.125, 1e-6);
   std::vector<Surface> after = SplitComponents(result.Surface);
   std::sort(after.begin(), after.end(),
     [](const Surface& a, const Surface& b) { return SignedVolume(a) > SignedVolume(b); });
@@ -269,7 +269,7 @@ TEST(PartComparison, IsOfSmoothedSurfacesAlone)
   EXPECT_EQ(Decimate(input, Reduction(0.5)).Report.Parts.Of, PartComparison::Kind::NotCompared);
   const PartComparison compared = Decimate(input, Smoothed(0.1, Reduction(0.5))).Report.Parts;
   EXPECT_EQ(compared.Of, PartComparison::Kind::Components);
-  EXPECT_NEAR(compared.SmallestVolume, 27.0 * 0.008, 1e-9) << "of twice the bound without a grid";
+  EXPECT_NEAR(compared.MinVolume, 27.0 * 0.008, 1e-9) << "of twice the bound without a grid";
   EXPECT_TRUE(std::isnan(compared.Parts.front().Input.Thickness.Median)) << "not measured";
 }
 
@@ -302,7 +302,7 @@ TEST(PartWarnings, AreOfPartsThatLostVolumeOrThickness)
 {
   Report report;
   report.Parts.Of = PartComparison::Kind::Labels;
-  report.Parts.SmallestVolume = 27.0;
+  report.Parts.MinVolume = 27.0;
   PartFigures part;
   part.Label = "7";
   part.Input = { 100.0, 50.0, { 3.0, 1.0 } };
@@ -317,12 +317,12 @@ TEST(PartWarnings, AreOfPartsThatLostVolumeOrThickness)
     EXPECT_EQ(Warns(report, "the thickness of 1 labels"), warnsOfThickness) << median;
     EXPECT_EQ(Warns(report, "label 7"), warnsOfVolume || warnsOfThickness);
   }
-  report.Parts.SmallestVolume = 51.0;
+  report.Parts.MinVolume = 51.0;
   EXPECT_FALSE(Warns(report, "label 7")) << "too small";
   // An open part has no volume: its area counts.
   report.Parts.Parts.front().Input.Volume = std::nan("");
   EXPECT_TRUE(Warns(report, "label 7")) << "a cube of 51 mm3 has 83 mm2";
-  report.Parts.SmallestVolume = 70.0;
+  report.Parts.MinVolume = 70.0;
   EXPECT_FALSE(Warns(report, "label 7")) << "a cube of 70 mm3 has 102 mm2";
 }
 

@@ -317,8 +317,8 @@ TEST(Region, KeepsLabelsAndTheCurvesBetweenThem)
   const std::vector<Segment> before = LinesOf(input, labels.OfTriangle);
   const std::vector<Segment> curves = LinesOf(result.Surface, after);
   EXPECT_LT(curves.size(), before.size()); // simplified, too
-  EXPECT_LE(LargestDistance(before, curves), 0.2);
-  EXPECT_LE(LargestDistance(curves, before), 0.2);
+  EXPECT_LE(MaxDistance(before, curves), 0.2);
+  EXPECT_LE(MaxDistance(curves, before), 0.2);
   ExpectUnchanged(input, map, result.Surface);
   ExpectStatistics(result);
   Options whole = Fast(0.2);

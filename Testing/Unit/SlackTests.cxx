@@ -76,7 +76,7 @@ TEST(SlackFit, MeasuresSamplesAsBruteForceDoes)
   const VertexId vertex = bench.FirstVertex();
   const std::vector<FaceId> faces = bench.Gather(vertex, slack);
   const Vector3 position = 0.95 * bench.Mesh().Position(vertex);
-  const double found = slack.LargestOfSamples(position, 1e9);
+  const double found = slack.MaxOfSamples(position, 1e9);
   double expected = 0.0; // limits
   for (const FaceId face : faces)
   {

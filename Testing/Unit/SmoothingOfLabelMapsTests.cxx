@@ -154,7 +154,7 @@ TEST(SmoothingOfLabelMaps, OfThickSlicesKeepsEveryVoxelAndIsNearer)
   const SmoothedSurface smoothed = SmoothBinary(ball, settings);
   const Surface after = WithPoints(ball.Surface, smoothed.Points);
   EXPECT_EQ(CountChangedVoxels(ball, after), 0);
-  EXPECT_LE(smoothed.Figures.LargestDisplacement, 1.5);
+  EXPECT_LE(smoothed.Figures.MaxDisplacement, 1.5);
   EXPECT_TRUE(smoothed.Figures.IsInVoxels);
   const double inBalls =
     RmsOf(WithPoints(ball.Surface, SmoothBinary(ball, Within(0.25)).Points), toBall);
@@ -262,7 +262,7 @@ TEST(SmoothingOfLabelMaps, ReportsWhatItChanged)
     most = std::max(most, moved);
   }
   EXPECT_NEAR(figures.RmsDisplacement, std::sqrt(sum / after.Points.size()), 1e-12);
-  EXPECT_NEAR(figures.LargestDisplacement, most, 1e-12);
+  EXPECT_NEAR(figures.MaxDisplacement, most, 1e-12);
   const SmoothedSurface open = Smooth({ HeightField(5, 0.3, 1) }, Within(0.1));
   EXPECT_EQ(open.Figures.VolumeBefore, 0.0);
 }

@@ -53,8 +53,8 @@ TEST(SmoothingRun, KeepsTheLargestErrorRelativeToTheInput)
       ASSERT_EQ(result.Report.Status, InputStatus::Good);
       EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
       EXPECT_LE(ProvedDistanceTo(input, result.Surface), error);
-      EXPECT_LE(result.Report.Smoothing.LargestDisplacement, std::min(smoothing, error));
-      EXPECT_GT(result.Report.Smoothing.LargestDisplacement, 0.5 * std::min(0.25, smoothing));
+      EXPECT_LE(result.Report.Smoothing.MaxDisplacement, std::min(smoothing, error));
+      EXPECT_GT(result.Report.Smoothing.MaxDisplacement, 0.5 * std::min(0.25, smoothing));
       EXPECT_LT(result.Surface.Triangles.size(), input.Triangles.size() / 2);
       EXPECT_TRUE(CountTopology(result.Surface).NonManifoldEdges == 0);
     }
@@ -99,7 +99,7 @@ TEST(SmoothingRun, AloneGivesTheSmoothedSurfaceProved)
       EXPECT_LE(result.Report.Proof.Upper(), 0.25);
     }
     EXPECT_EQ(CountChangedVoxels(torus, result.Surface), 0);
-    EXPECT_GT(result.Report.Smoothing.LargestDisplacement, 0.2);
+    EXPECT_GT(result.Report.Smoothing.MaxDisplacement, 0.2);
     EXPECT_NEAR(result.Report.Smoothing.AreaAfter, TotalArea(result.Surface), 1e-6);
   }
 }
@@ -145,7 +145,7 @@ TEST(SmoothingRun, KeepsConstrainedPointsBitForBit)
           }
         }
       }
-      EXPECT_GT(result.Report.Smoothing.LargestDisplacement, 0.05);
+      EXPECT_GT(result.Report.Smoothing.MaxDisplacement, 0.05);
     }
   }
 }
@@ -162,7 +162,7 @@ TEST(SmoothingRun, KeepsAMapOfTolerances)
     Decimate(input, Smoothed(0.25, Unmeasured()), {}, { false, false, &tolerances });
   ASSERT_EQ(result.Report.Status, InputStatus::Good);
   EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
-  EXPECT_GT(result.Report.Smoothing.LargestDisplacement, 0.06);
+  EXPECT_GT(result.Report.Smoothing.MaxDisplacement, 0.06);
   CertificateOptions options;
   options.ToleranceMap = tolerances;
   EXPECT_EQ(Certify(input, result.Surface, options).Proof, ProofStatus::Proved);
@@ -179,7 +179,7 @@ TEST(SmoothingRun, KeepsWallsBetweenLabelsJoined)
   {
     const Result result = Decimate(input, Smoothed(0.3, options), {}, inputs);
     ASSERT_EQ(result.Report.Status, InputStatus::Good);
-    EXPECT_GT(result.Report.Smoothing.LargestDisplacement, 0.1);
+    EXPECT_GT(result.Report.Smoothing.MaxDisplacement, 0.1);
     EXPECT_EQ(CountTopology(result.Surface).BoundaryEdges, before.BoundaryEdges);
     EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
   }
@@ -212,7 +212,7 @@ TEST(SmoothingRun, KeepsTheErrorRelativeToAReference)
   ASSERT_EQ(result.Report.Status, InputStatus::Good);
   EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
   EXPECT_LE(ProvedDistanceTo(reference, result.Surface), 0.3);
-  EXPECT_GT(result.Report.Smoothing.LargestDisplacement, 0.05);
+  EXPECT_GT(result.Report.Smoothing.MaxDisplacement, 0.05);
 }
 
 TEST(SmoothingRun, IsLevelZeroOfItsLog)
@@ -294,8 +294,8 @@ TEST(AutomaticSmoothing, TakesAThirdOfASmallErrorAndHalfAVoxelWithinOne)
     Options options = Automatic(error > 0.0 ? ErrorOfAnySize(error) : Reduction(0.5));
     const Result result = Decimate(input, options);
     EXPECT_NEAR(result.Report.Smoothing.Bound, radius, 1e-9) << error;
-    EXPECT_LE(result.Report.Smoothing.LargestDisplacement, radius + 1e-9);
-    EXPECT_GT(result.Report.Smoothing.LargestDisplacement, radius > 0.2 ? 0.16 : 0.09) << error;
+    EXPECT_LE(result.Report.Smoothing.MaxDisplacement, radius + 1e-9);
+    EXPECT_GT(result.Report.Smoothing.MaxDisplacement, radius > 0.2 ? 0.16 : 0.09) << error;
     EXPECT_EQ(result.Report.Smoothing.From, SmoothingFigures::Source::Binary);
     EXPECT_GE(result.Report.Smoothing.Strength, 1.0);
     EXPECT_LE(result.Report.Smoothing.Strength, 12.0);
@@ -307,7 +307,7 @@ TEST(AutomaticSmoothing, AloneUsesHalfAVoxel)
   const Result result = Decimate(TestTorus().Surface, Automatic(Reduction(0.0)));
   EXPECT_EQ(result.Report.Proof.Status, ProofStatus::Proved);
   EXPECT_NEAR(result.Report.Smoothing.Bound, 0.25, 1e-6);
-  EXPECT_GT(result.Report.Smoothing.LargestDisplacement, 0.16);
+  EXPECT_GT(result.Report.Smoothing.MaxDisplacement, 0.16);
 }
 
 TEST(AutomaticSmoothing, LeavesOtherSurfacesAloneAndSaysSo)
@@ -335,7 +335,7 @@ TEST(AutomaticSmoothing, LeavesOtherSurfacesAloneAndSaysSo)
       [](const std::string& warning)
       { return warning.find("was not smoothed") != std::string::npos; }));
     const Result explicitly = Decimate(*surface, Smoothed(0.1, Error(0.2)));
-    EXPECT_GT(explicitly.Report.Smoothing.LargestDisplacement, 0.02);
+    EXPECT_GT(explicitly.Report.Smoothing.MaxDisplacement, 0.02);
     EXPECT_EQ(explicitly.Report.Proof.Status, ProofStatus::Proved);
   }
 }

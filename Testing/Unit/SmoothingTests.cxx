@@ -46,8 +46,8 @@ TEST(Smoothing, MovesNoPointFartherThanTheRadius)
       const SmoothedSurface smoothed = Smooth({ ball.Surface }, settings);
       ExpectWithin(
         ball.Surface, smoothed.Points, std::vector<double>(smoothed.Points.size(), radius));
-      EXPECT_LE(smoothed.Figures.LargestDisplacement, radius);
-      EXPECT_GT(smoothed.Figures.LargestDisplacement, 0.0);
+      EXPECT_LE(smoothed.Figures.MaxDisplacement, radius);
+      EXPECT_GT(smoothed.Figures.MaxDisplacement, 0.0);
     }
   }
 }
@@ -85,7 +85,7 @@ TEST(Smoothing, KeepsToTheLimitOfEachPointAndOfItsNeighbors)
   }
   const SmoothedSurface smoothed = SmoothBinary(ball, Within(0.25), &limits);
   ExpectWithin(ball.Surface, smoothed.Points, least);
-  EXPECT_GT(smoothed.Figures.LargestDisplacement, 0.05);
+  EXPECT_GT(smoothed.Figures.MaxDisplacement, 0.05);
 }
 
 TEST(Smoothing, OfABoundaryGoesAlongIt)
@@ -240,9 +240,9 @@ TEST(Smoothing, IsStrongerWithMoreStrengthAndFartherWithMoreRadius)
   for (const double radius : { 0.02, 0.06, 0.12 })
   {
     const SmoothedSurface smoothed = Smooth({ ball.Surface }, Within(radius));
-    EXPECT_GT(smoothed.Figures.LargestDisplacement, farthest);
-    EXPECT_GT(smoothed.Figures.LargestDisplacement, 0.9 * radius);
-    farthest = smoothed.Figures.LargestDisplacement;
+    EXPECT_GT(smoothed.Figures.MaxDisplacement, farthest);
+    EXPECT_GT(smoothed.Figures.MaxDisplacement, 0.9 * radius);
+    farthest = smoothed.Figures.MaxDisplacement;
   }
 }
 
@@ -333,7 +333,7 @@ TEST(Smoothing, MakesNoIntersections)
   EXPECT_GT(smoothed.Figures.Rounds, 0);
   EXPECT_GT(smoothed.Figures.LimitedPoints, 0);
   EXPECT_EQ(CountCrossings(WithPoints(both, smoothed.Points)), 0);
-  EXPECT_GT(smoothed.Figures.LargestDisplacement, 0.05);
+  EXPECT_GT(smoothed.Figures.MaxDisplacement, 0.05);
   // The pair alone intersects.
   const std::vector<Vector3> one = Smooth({ coarse }, settings).Points;
   Surface apart = Together(WithPoints(coarse, one),

@@ -60,7 +60,7 @@ Surface SpikySphere()
   return surface;
 }
 
-double LargestDistance(const Surface& from, const Surface& to)
+double MaxDistance(const Surface& from, const Surface& to)
 {
   const BoundingTree tree(to);
   double largest = 0.0; // mm^2
@@ -79,7 +79,7 @@ double PeakAfterSweep(const Surface& input, Index faces, double spikeWeight)
   Editor editor(cleaned, EditorSettings{ false, false, true });
   BucketSweep(editor, { faces, 0.0 }, 1, SweepSettings{ spikeWeight, 1 })
     .Run([](double) { return true; });
-  return LargestDistance(cleaned.Surface, SurfaceOf(editor.Mesh()));
+  return MaxDistance(cleaned.Surface, SurfaceOf(editor.Mesh()));
 }
 
 double DistanceTo(const std::vector<std::array<Vector3, 3>>& triangles, const Vector3& p)
@@ -169,8 +169,8 @@ TEST(RefinedModes, LeaveNothingFarInEitherDirection)
   for (const Mode mode : { Mode::Balanced, Mode::Accurate })
   {
     const Surface result = Decimate(input, InMode(mode, Reduction(0.75))).Surface;
-    EXPECT_LT(LargestDistance(input, result), 0.2 * Height) << WordOf(mode);
-    EXPECT_LT(LargestDistance(result, input), 0.2 * Height) << WordOf(mode);
+    EXPECT_LT(MaxDistance(input, result), 0.2 * Height) << WordOf(mode);
+    EXPECT_LT(MaxDistance(result, input), 0.2 * Height) << WordOf(mode);
   }
 }
 

@@ -70,7 +70,7 @@ TEST(SurfacePart, IsSmoothedAsARunWithoutReductionSmooths)
   options.TargetReductionIsExplicit = true;
   const SmoothedInput smoothed = SmoothOnly(Torus(), options);
   EXPECT_EQ(smoothed.Points.size(), Torus().Points.size());
-  EXPECT_GT(smoothed.Report.Smoothing.LargestDisplacement, 0.1);
+  EXPECT_GT(smoothed.Report.Smoothing.MaxDisplacement, 0.1);
   EXPECT_EQ(PositionsOf(smoothed.Points), PositionsOf(Decimate(Torus(), options).Surface.Points));
 }
 

@@ -43,10 +43,10 @@ TEST(TriangleShapes, AnEquilateralTriangleHasRatiosOfOne)
   const ShapeStatistics found =
     DescribeShapes(OneTriangle({ 0, 0, 0 }, { 2, 0, 0 }, { 1, std::sqrt(3.0), 0 }), 1);
   EXPECT_NEAR(found.SmallestAngle, 60.0, 1e-6);
-  EXPECT_NEAR(found.LargestAngle, 60.0, 1e-6);
+  EXPECT_NEAR(found.MaxAngle, 60.0, 1e-6);
   EXPECT_NEAR(found.MeanRadiusRatio, 1.0, 1e-12);
   EXPECT_NEAR(found.MeanAspectRatio, 1.0, 1e-12);
-  EXPECT_EQ(found.SmallestAngles[5], 1);
+  EXPECT_EQ(found.MinAngles[5], 1);
 }
 
 TEST(TriangleShapes, ARightTriangleHasThoseOfTheTextbook)
@@ -55,17 +55,17 @@ TEST(TriangleShapes, ARightTriangleHasThoseOfTheTextbook)
   const ShapeStatistics found =
     DescribeShapes(OneTriangle({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 0, 3 }), 1);
   EXPECT_NEAR(found.SmallestAngle * Degree, std::atan(0.75), 1e-9);
-  EXPECT_NEAR(found.LargestAngle, 90.0, 1e-6);
-  EXPECT_NEAR(found.LargestRadiusRatio, 1.25, 1e-12);
-  EXPECT_NEAR(found.LargestAspectRatio, 5.0 / (2.0 * std::sqrt(3.0)), 1e-12);
-  EXPECT_EQ(found.SmallestAngles[3], 1);
+  EXPECT_NEAR(found.MaxAngle, 90.0, 1e-6);
+  EXPECT_NEAR(found.MaxRadiusRatio, 1.25, 1e-12);
+  EXPECT_NEAR(found.MaxAspectRatio, 5.0 / (2.0 * std::sqrt(3.0)), 1e-12);
+  EXPECT_EQ(found.MinAngles[3], 1);
 }
 
 TEST(TriangleShapes, TrianglesWithoutAreaCountAsOfAngleZeroOnly)
 {
   const ShapeStatistics found =
     DescribeShapes(OneTriangle({ 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }), 1);
-  EXPECT_EQ(found.SmallestAngles[0], 1);
+  EXPECT_EQ(found.MinAngles[0], 1);
   EXPECT_TRUE(std::isnan(found.SmallestAngle));
   EXPECT_TRUE(std::isnan(found.MeanRadiusRatio));
 }
@@ -86,11 +86,11 @@ TEST(TriangleShapes, OfTwoSurfacesAreThoseOfBothTogether)
   AddShapes(DescribeShapes(one, 1), sum);
   AddShapes(DescribeShapes(other, 1), sum);
   AddShapes(ShapeStatistics(), sum);
-  EXPECT_EQ(sum.SmallestAngles, expected.SmallestAngles);
+  EXPECT_EQ(sum.MinAngles, expected.MinAngles);
   EXPECT_EQ(sum.SmallestAngle, expected.SmallestAngle);
-  EXPECT_EQ(sum.LargestAngle, expected.LargestAngle);
-  EXPECT_EQ(sum.LargestRadiusRatio, expected.LargestRadiusRatio);
-  EXPECT_EQ(sum.LargestAspectRatio, expected.LargestAspectRatio);
+  EXPECT_EQ(sum.MaxAngle, expected.MaxAngle);
+  EXPECT_EQ(sum.MaxRadiusRatio, expected.MaxRadiusRatio);
+  EXPECT_EQ(sum.MaxAspectRatio, expected.MaxAspectRatio);
   EXPECT_NEAR(sum.MeanRadiusRatio, expected.MeanRadiusRatio, 1e-12);
   EXPECT_NEAR(sum.MeanAspectRatio, expected.MeanAspectRatio, 1e-12);
 }

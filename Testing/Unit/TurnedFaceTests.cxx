@@ -28,7 +28,7 @@ Vector3 AreaOf(const std::vector<Vector3>& points, const Triangle& t)
 }
 
 /// Cosine of the most by which any face has turned since the beginning that has not outgrown its original normal.
-double LeastFacing(const HalfEdgeMesh& mesh, const Surface& original)
+double MinFacing(const HalfEdgeMesh& mesh, const Surface& original)
 {
   std::vector<Vector3> points;
   for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
@@ -101,7 +101,7 @@ TEST_P(EveryFace, KeepsTheSideOfItsOriginalNormal)
     SortAlongCurve(cleaned, 1);
     Editor editor(cleaned, EditorSettings{ mode == Mode::Thesis, true, true, true });
     RunIn(editor, mode, { editor.Mesh().NumberOfFaces() / divisor, 0.0 });
-    EXPECT_GE(LeastFacing(editor.Mesh(), cleaned.Surface), -Rounding) << "one in " << divisor;
+    EXPECT_GE(MinFacing(editor.Mesh(), cleaned.Surface), -Rounding) << "one in " << divisor;
   }
 }
 

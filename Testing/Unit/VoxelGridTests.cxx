@@ -88,7 +88,7 @@ TEST(VoxelGrids, AVoxelIsAsThickAsTheWayToTheMiddlesBesideIt)
       grid.ThicknessOf(layer, layer + 1), thickness[static_cast<std::size_t>(layer)]);
   }
   EXPECT_DOUBLE_EQ(grid.ThicknessOf(0, 5), 27.5);
-  EXPECT_EQ(grid.LargestSpacing()[2], 7.0);
+  EXPECT_EQ(grid.MaxSpacing()[2], 7.0);
   EXPECT_EQ(HalfSidesAt(grid, { 1, 0, 4 })[2], 2.0) << "in the layer between both distances";
   EXPECT_EQ(HalfSidesAt(grid, { 0, 0, 5 })[2], 3.5);
 }
@@ -158,8 +158,7 @@ TEST(VoxelGrids, SmoothingKeepsEveryLabelAndItsBoundInMillimeters)
       const LabelMap map = NoisyBones(grid, 0.8);
       const LabelSurfaces surfaces = Extracted(map);
       SmoothingSettings settings;
-      settings.Radius =
-        0.5 * (inVoxels ? grid.LargestSpacing().maxCoeff() : grid.Spacing.minCoeff());
+      settings.Radius = 0.5 * (inVoxels ? grid.MaxSpacing().maxCoeff() : grid.Spacing.minCoeff());
       settings.InVoxels = inVoxels;
       settings.Strength = 20.0;
       const SmoothedSurface smoothed =

@@ -110,7 +110,7 @@ TEST(ErrorPreset, IsAFractionOfTheVoxelAndProved)
     options.ErrorPreset = preset;
     const Result result = Decimate(input, options);
     EXPECT_EQ(result.Report.Voxel.From, VoxelFigures::Source::Input);
-    EXPECT_EQ(result.Report.Voxel.LargestError, error);
+    EXPECT_EQ(result.Report.Voxel.MaxError, error);
     EXPECT_EQ(result.Report.Proof.Tolerance, error);
     EXPECT_EQ(result.Report.Requested.ErrorPreset, preset);
     EXPECT_TRUE(

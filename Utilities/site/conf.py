@@ -18,6 +18,17 @@ version = re.search(r"project\(\w+\s+VERSION ([\d.]+)", (ROOT / "CMakeLists.txt"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 highlight_language = "none"
 
+# The entrance of the site is the page that is also the entrance on a Git host.
+root_doc = "Documentation/README"
+# Pages that only the site has.
+GENERATED = """
+## Generated reference
+
+* [Python: functions and classes](../python-reference.md)
+* [C++: classes](../cpp-reference.md)
+"""
+PAGE = re.compile(r"\]\(([^)#]+)\.md\)")
+
 # Anchors of headings as on a plain Git host, so that links work in both.
 myst_heading_anchors = 4
 
@@ -36,3 +47,29 @@ html_css_files = ["wide.css"]
 html_copy_source = False
 html_show_copyright = False
 html_show_sphinx = False
+
+
+def with_contents(text):
+    """The entrance with the contents of the site: the pages that each section links to, under its heading.
+
+    Sphinx warns about a page that is in no contents, so every page is linked here.
+    """
+    listed, sections = set(), []
+    text = re.sub(r"(?m)^.*\(paper/paper\.md\).*\n", "", text)  # has a form of its own, which the site cannot show
+    for section in re.split(r"(?m)^(?=## )", text + GENERATED):
+        title = re.match(r"## (.+)", section)
+        # The pages of the first section are those that the sections below list.
+        if title and title[1] != "Start here":
+            pages = [page for page in PAGE.findall(section) if page not in listed]
+            listed.update(pages)
+            section += "\n".join(["", "```{toctree}", ":hidden:", f":caption: {title[1]}", "", *pages, "```", ""])
+        sections.append(section)
+    return "\n".join(sections)
+
+
+def setup(app):
+    def read(_, name, source):
+        if name == root_doc:
+            source[0] = with_contents(source[0])
+
+    app.connect("source-read", read)

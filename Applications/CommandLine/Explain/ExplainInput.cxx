@@ -36,8 +36,9 @@ std::string ProblemOf(vtkPolyData* surface, Options options)
   if (report.Status == InputStatus::Good)
   {
     const RunInputs inputs = named.Inputs();
-    report.Status = CheckErrors(
-      input, clean, inputs.Tolerances, RoundingOf(options, inputs.InputIsSingle), options, report);
+    report.HasTolerances = inputs.Tolerances != nullptr;
+    report.Status = CheckErrors(input, clean, inputs.Tolerances,
+      RoundingOf(options, inputs.InputIsSingle), options, report.Cleaning, report.Size);
   }
   return InputMessage(report);
 }

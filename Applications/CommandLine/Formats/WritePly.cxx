@@ -20,7 +20,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr vtkIdType MostCorners = 255; // what the count of a polygon can be, one byte
+constexpr vtkIdType MaxCorners = 255; // what the count of a polygon can be, one byte
 
 class PlyWriter
 {
@@ -124,7 +124,7 @@ private:
       vtkIdType size = 0;
       const vtkIdType* corners = nullptr;
       face->GetCurrentCell(size, corners);
-      if (size > MostCorners)
+      if (size > MaxCorners)
       {
         throw Failure(ExitCode::CouldNotWrite, "a polygon has more than 255 corners");
       }

@@ -23,7 +23,7 @@ namespace
 const std::string ProfilesSection = "profiles";
 
 /// Limits the parts of a name, because CLI11 copies all earlier parts for each; three are in use.
-constexpr std::ptrdiff_t MostParts = 8;
+constexpr std::ptrdiff_t MaxParts = 8;
 
 /// A failure about a file.
 [[noreturn]] void Fail(const std::string& file, const std::string& sentence)
@@ -53,11 +53,11 @@ void RequireKeysAndValues(const std::string& path, std::istream& stream)
           "', which is neither KEY = VALUE nor a [SECTION]");
     }
     const std::string name = isSection ? text : text.substr(0, isPair ? equals : 0);
-    if (!isInArray && std::count(name.begin(), name.end(), '.') >= MostParts)
+    if (!isInArray && std::count(name.begin(), name.end(), '.') >= MaxParts)
     {
       Fail(path,
         "has in line " + std::to_string(number) + " a name of more than " +
-          std::to_string(MostParts) + " parts");
+          std::to_string(MaxParts) + " parts");
     }
     const std::string value =
       isPair && !isInArray ? CLI::detail::trim_copy(text.substr(equals + 1)) : text;

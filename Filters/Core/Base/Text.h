@@ -119,8 +119,9 @@ std::from_chars_result ReadNumber(const char* first, const char* last, Number& v
 #endif
 
 /**
- * A decimal number that is the whole text: no blanks, no unit, no hexadecimal digits, no comma; a plus sign is allowed.
- * A double is rounded to the nearest; beyond the largest it is infinite. The words nan, inf and infinity are numbers.
+ * A decimal number that is the whole text: no blanks, no unit, no hexadecimal digits, no comma; a
+ * plus sign is allowed. A double is rounded to the nearest; beyond the largest it is infinite. The
+ * words nan, inf and infinity are numbers.
  * @returns Nothing if the text is anything else, or beyond the range of a whole number.
  */
 template <typename Number>

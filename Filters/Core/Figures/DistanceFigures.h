@@ -29,7 +29,7 @@ struct DistanceStatistics
   double SamplesPerSquareMillimeter = 0.0;
 };
 
-/// Proved bounds of the largest distance from one surface to the other, or from boundaries to boundaries, mm.
+/// Proved bounds of the largest distance from one surface or boundary to the other, mm.
 struct ProvedDistance
 {
   double Lower = 0.0;
@@ -40,7 +40,7 @@ struct ProvedDistance
 struct ErrorProof
 {
   bool WasMade = false;   ///< If false, all other members are meaningless.
-  ProofStatus Status{};   ///< Of everything that was compared.
+  ProofStatus Status{};   ///< For everything that was compared.
   double Tolerance = 0.0; ///< mm, the error to prove for all points; 0: none.
   ProvedDistance InputToOutput;
   ProvedDistance OutputToInput;

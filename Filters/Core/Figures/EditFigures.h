@@ -20,7 +20,8 @@ enum class StopReason : int
   AlreadySatisfied, ///< The input already had no more triangles than requested.
   NothingLeft,      ///< No further collapse is allowed.
   Aborted,          ///< By the monitor.
-  Handles ///< The number of triangles is out of reach: most collapses that are left would close a handle.
+  /// The number of triangles is out of reach: most collapses that are left would close a handle.
+  Handles
 };
 
 /// What came of drafting the first collapses of a proved run.
@@ -39,7 +40,7 @@ struct DraftFigures
 {
   DraftStatus Status = DraftStatus::NoBound;
   std::int64_t Collapses = 0; ///< That were drafted.
-  std::int64_t Undone = 0;    ///< Of them.
+  std::int64_t Undone = 0;    ///< Drafted collapses that were undone.
 };
 
 /// Whether a run read only the regions that may change, and their surroundings.
@@ -49,14 +50,15 @@ enum class RegionStatus : int
   Used,
   OtherOptions, ///< Not possible with another option or input: the whole surface was read.
   TooLarge,     ///< Regions and surroundings are more than half of the surface.
-  NotProved ///< The result of a region could not be joined to the rest or proved; the whole surface was run.
+  /// The result of a region could not be joined to the rest or proved; the whole surface was run.
+  NotProved
 };
 
 struct RegionFigures
 {
   RegionStatus Status = RegionStatus::NotRequested;
   std::int64_t Count = 0;     ///< Regions.
-  std::int64_t Triangles = 0; ///< Of them and their surroundings.
+  std::int64_t Triangles = 0; ///< In the regions and their surroundings.
   std::int64_t Kept = 0;      ///< Regions whose results were kept from earlier runs.
 };
 
@@ -64,7 +66,7 @@ struct RegionFigures
 struct ForcedCollapseFigures
 {
   std::int64_t Tried = 0; ///< On a copy of their neighborhood.
-  std::int64_t Made = 0;  ///< Of them: proved and applied.
+  std::int64_t Made = 0;  ///< Proved and applied.
 };
 }
 

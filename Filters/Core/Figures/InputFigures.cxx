@@ -6,7 +6,7 @@
 
 namespace bonedecimate
 {
-double LargestLabelChange(const std::vector<LabelArea>& labels)
+double MaxLabelChange(const std::vector<LabelArea>& labels)
 {
   double largest = 0.0;
   for (const LabelArea& area : labels)

@@ -43,7 +43,7 @@ struct CleaningStatistics
   std::int64_t MeetingPoints =
     0; ///< Points of the result at the same position as another one in single precision.
   std::int64_t FirstCoarsePoint = -1;
-  double LargestRounding = 0.0;       ///< mm, of those points.
+  double MaxRounding = 0.0;           ///< mm, of those points.
   std::int64_t ConstrainedPoints = 0; ///< Points, after merging, whose tolerance is 0.
 };
 
@@ -85,10 +85,10 @@ struct PruneFigures
 /// The size of the input, and the largest error compared with it.
 struct SizeFigures
 {
-  double Diagonal = 0.0;     ///< mm, of the bounding box of the input's triangles, after pruning.
-  double LargestError = 0.0; ///< mm, of MaximumError, the preset or the tolerances; 0: none.
-  std::int64_t Point = -1;   ///< The input point whose tolerance is LargestError; -1: none.
-  double ErrorBound = 0.0;   ///< mm, the error used by the run: at most Diagonal.
+  double Diagonal = 0.0;   ///< mm, of the bounding box of the input's triangles, after pruning.
+  double MaxError = 0.0;   ///< mm, of MaximumError, the preset or the tolerances; 0: none.
+  std::int64_t Point = -1; ///< The input point whose tolerance is MaxError; -1: none.
+  double ErrorBound = 0.0; ///< mm, the error used by the run: at most Diagonal.
 };
 
 /// The voxels of a run with an ErrorPreset.
@@ -102,9 +102,9 @@ struct VoxelFigures
     Edges ///< Estimated from the lengths of edges.
   };
   Source From = Source::NotRequested;
-  double Size = 0.0;         ///< mm, the least side.
-  double Error = 0.0;        ///< mm, uncertainty of an estimate.
-  double LargestError = 0.0; ///< mm, of the preset, or a smaller MaximumError.
+  double Size = 0.0;     ///< mm, the least side.
+  double Error = 0.0;    ///< mm, uncertainty of an estimate.
+  double MaxError = 0.0; ///< mm, of the preset, or a smaller MaximumError.
 };
 
 /// The area of the triangles of one label, mm^2.
@@ -118,7 +118,7 @@ struct LabelArea
 };
 
 /// The largest relative change of the area of a label; 0 without labels.
-double LargestLabelChange(const std::vector<LabelArea>& labels);
+double MaxLabelChange(const std::vector<LabelArea>& labels);
 }
 
 #endif

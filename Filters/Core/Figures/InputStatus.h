@@ -26,13 +26,18 @@ enum class InputStatus : int
   BadReference,          ///< It has no triangle, or would be rejected as an input.
   FarFromReference,      ///< The input is farther from it than the largest error.
   EverythingPruned,      ///< No component reaches the requested size.
-  SinglePrecisionTooCoarse, ///< Rounding moves points farther than the error or tolerances allow, or onto other points.
-  ErrorBeyondSize, ///< The largest error is more than a quarter of the diagonal, and AllowLargeError is off.
-  ErrorBelowSize, ///< The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
-  BadLabelMap, ///< A grid that is not valid, labels that are not one pair for each triangle, or a surface far from the grid.
+  /// Rounding moves points farther than the error or tolerances allow, or onto other points.
+  SinglePrecisionTooCoarse,
+  /// The largest error is more than a quarter of the diagonal, and AllowLargeError is off.
+  ErrorBeyondSize,
+  /// The largest error is less than a millionth of the diagonal: rounding alone exceeds it.
+  ErrorBelowSize,
+  /// The grid is not valid, labels are not one pair per triangle, or the surface is far from it.
+  BadLabelMap,
   NoVoxelGrid, ///< KeepVoxels is On and no grid is known.
-  OptionConflict, ///< An option that does not go with another one or with an input; Report::Conflict.
-  InvalidOption   ///< A value is outside of the range of its option.
+  /// An option that does not go with another one or with an input; Report::Conflict.
+  OptionConflict,
+  InvalidOption ///< A value is outside of the range of its option.
 };
 }
 

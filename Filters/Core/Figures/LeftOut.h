@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LeftOut.h
- * @brief What of an input is not in the surface that was proved, and what the proof's sentence says of it.
+ * @brief What of an input is not in the surface that was proved, and what
+ * the proof's sentence says of it.
  */
 #ifndef BoneDecimate_Core_Figures_LeftOut_h
 #define BoneDecimate_Core_Figures_LeftOut_h
@@ -19,19 +20,21 @@ namespace bonedecimate
 {
 struct LeftOut
 {
-  /// One word: "triangles", "polygons", "lines", "vertices", "components", or what a reader calls it: "objects", "segments".
+  /// One word: "triangles", "polygons", "lines", "vertices", "components", or what a reader
+  /// calls it: "objects", "segments".
   std::string Kind;
   std::int64_t Count = 0;
   std::string What;  ///< The noun for this count: "polygons of fewer than three different corners".
-  std::string Where; ///< Of the first: "cell 12"; may be empty.
+  std::string Where; ///< The first one: "cell 12"; may be empty.
   /// mm, no point of it is farther from the result; not a number: not known.
   double Distance = std::numeric_limits<double>::quiet_NaN();
-  std::int64_t FirstTriangle = -1; ///< Of the input, instead of Where; negative: none.
+  std::int64_t FirstTriangle = -1; ///< An input triangle instead of Where; negative: none.
 
   /// Where, or the first triangle; empty if neither is known.
   std::string Position() const;
 
-  /// "3 polygons of fewer than three different corners (the first is cell 12)", with the distance if it is known.
+  /// "3 polygons of fewer than three different corners (the first is cell 12)",
+  /// with the distance if it is known.
   std::string Sentence() const;
 };
 
@@ -44,8 +47,8 @@ struct LeftOutShape
 };
 
 /**
- * "but for 3 polygons ... and 1 line ..."; empty if a proof of that bound holds without it, because all that was left out is
- * known to be within the bound.
+ * "but for 3 polygons ... and 1 line ..."; empty if a proof of that bound holds without it, because
+ * all that was left out is known to be within the bound.
  * @param proved mm, the bound.
  */
 std::string LeftOutClause(const std::vector<LeftOut>& leftOut, double proved);

@@ -14,7 +14,7 @@ namespace
 constexpr double VolumeChangeToTell = 0.1;
 constexpr double ThicknessLossToTell = 0.2;
 
-/// Of a fraction: by how much less `after` is; 0 if one of them is not known.
+/// The fraction that was lost from `before` to `after`; 0 if one of them is not known.
 double LossOf(double before, double after)
 {
   return before > 0.0 && !std::isnan(after) ? 1.0 - after / before : 0.0;
@@ -41,7 +41,7 @@ std::vector<std::string> WarningAbout(const PartComparison& compared, const char
   for (const PartFigures& part : compared.Parts)
   {
     const double change = std::abs(changeOf(part));
-    if (change > toTell && !part.IsSmallerThan(compared.SmallestVolume))
+    if (change > toTell && !part.IsSmallerThan(compared.MinVolume))
     {
       ++count;
       most = most == nullptr || change > std::abs(changeOf(*most)) ? &part : most;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PartFigures.h
- * @brief Area, volume and thickness of each component or label before and after a run that smoothed.
+ * @brief Area, volume and thickness of each component or label before
+ * and after a run that smoothed.
  */
 #ifndef BoneDecimate_Core_Figures_PartFigures_h
 #define BoneDecimate_Core_Figures_PartFigures_h
@@ -27,22 +28,24 @@ struct PartMeasures
 {
   double Area = 0.0;                                        ///< mm^2
   double Volume = std::numeric_limits<double>::quiet_NaN(); ///< mm^3; NaN if it is not closed.
-  ThicknessFigures Thickness;                               ///< Of listed parts alone.
+  ThicknessFigures Thickness;                               ///< Only for listed parts.
 };
 
 struct PartFigures
 {
   std::string Label;                ///< Empty: a component.
-  std::int64_t Triangles = 0;       ///< Of the input.
+  std::int64_t Triangles = 0;       ///< Number of input triangles.
   Vector3 Center = Vector3::Zero(); ///< mm, the middle of its box in the input.
   PartMeasures Input;
   PartMeasures Output;
 
   /// As a fraction of the volume in the input, with its sign; 0 if the part is not closed.
   double VolumeChange() const;
-  /// As a fraction, of the median or of the percentile, whichever lost more; 0 if thickness was not measured.
+  /// As a fraction, of the median or of the percentile, whichever lost more; 0
+  /// if thickness was not measured.
   double ThicknessLoss() const;
-  /// Whether the part is smaller than a cube of that volume, mm^3; an open part: whether its area is less than that of the cube.
+  /// Whether the part is smaller than a cube of that volume, mm^3; an open part: whether its area
+  /// is less than that of the cube.
   bool IsSmallerThan(double volume) const;
 };
 
@@ -55,14 +58,15 @@ struct PartComparison
     Labels
   };
   /// The report lists the largest, and thickness is measured of them alone.
-  static constexpr std::size_t MostListed = 32;
+  static constexpr std::size_t MaxListed = 32;
 
   Kind Of = Kind::NotCompared;    ///< If NotCompared, all other members are meaningless.
-  double SmallestVolume = 0.0;    ///< mm^3; there are no warnings about smaller parts.
+  double MinVolume = 0.0;         ///< mm^3; there are no warnings about smaller parts.
   std::vector<PartFigures> Parts; ///< Sorted by their area in the input, largest first.
 };
 
-/// Parts whose volume changed by more than a tenth, and parts that lost more than a fifth of their thickness.
+/// Parts whose volume changed by more than a tenth, and parts that lost more
+/// than a fifth of their thickness.
 std::vector<std::string> PartWarnings(const PartComparison& compared);
 }
 

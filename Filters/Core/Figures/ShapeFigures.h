@@ -15,17 +15,19 @@
 
 namespace bonedecimate
 {
-/// Of the triangles of a surface, by the definitions of vtkMeshQuality; not a number if no triangle has an area.
+/// Shapes of the triangles of a surface as vtkMeshQuality defines them; not a
+/// number if no triangle has an area.
 struct ShapeStatistics
 {
   double SmallestAngle = std::numeric_limits<double>::quiet_NaN();   ///< degrees
-  double LargestAngle = std::numeric_limits<double>::quiet_NaN();    ///< degrees
+  double MaxAngle = std::numeric_limits<double>::quiet_NaN();        ///< degrees
   double MeanRadiusRatio = std::numeric_limits<double>::quiet_NaN(); ///< 1 is equilateral.
-  double LargestRadiusRatio = std::numeric_limits<double>::quiet_NaN();
+  double MaxRadiusRatio = std::numeric_limits<double>::quiet_NaN();
   double MeanAspectRatio = std::numeric_limits<double>::quiet_NaN(); ///< 1 is equilateral.
-  double LargestAspectRatio = std::numeric_limits<double>::quiet_NaN();
-  /// How many triangles have a smallest angle below 10 degrees, from 10 to below 20, ... from 50 on.
-  std::array<std::int64_t, 6> SmallestAngles{};
+  double MaxAspectRatio = std::numeric_limits<double>::quiet_NaN();
+  /// How many triangles have a smallest angle below 10 degrees, from
+  /// 10 to below 20, ... from 50 on.
+  std::array<std::int64_t, 6> MinAngles{};
 };
 
 /// Triangles of the result with an angle below MinimumAngle.
@@ -39,7 +41,7 @@ struct AngleFigures
 /// Edges of the result against EdgeLength, or what is less at their ends.
 struct EdgeFigures
 {
-  double LeastRequested =
+  double MinRequested =
     std::numeric_limits<double>::quiet_NaN(); ///< mm, of all local lengths, or EdgeLength.
   double Mean = std::numeric_limits<double>::quiet_NaN();    ///< mm; not a number if there is none.
   double Longest = std::numeric_limits<double>::quiet_NaN(); ///< mm

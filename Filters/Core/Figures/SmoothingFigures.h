@@ -20,7 +20,8 @@ struct SmoothingFigures
     NotRequested = 0,
     LabelMap, ///< A label map, named with the surface.
     Binary,   ///< Its points are the middles of grid edges: the surface of a binary segmentation.
-    GrayLevel, ///< Its points lie on the edges of a grid, interpolated: left alone by the automatic smoothing.
+    /// Its points lie on the edges of a grid, interpolated: left alone by the automatic smoothing.
+    GrayLevel,
     Unknown ///< No grid was found.
   };
   Source From = Source::NotRequested; ///< If NotRequested, all other members are meaningless.
@@ -28,8 +29,8 @@ struct SmoothingFigures
   bool IsInVoxels = false;      ///< Thick slices: smoothed in voxel units, within octahedra.
   double Strength = 0.0;        ///< lambda of Smoothing/BoundedSolver.h
   double RmsDisplacement = 0.0; ///< mm
-  double LargestDisplacement = 0.0; ///< mm
-  double AngleBefore = 0.0;         ///< Degrees, mean angle between the normals of neighbors.
+  double MaxDisplacement = 0.0; ///< mm
+  double AngleBefore = 0.0;     ///< Degrees, mean angle between the normals of neighbors.
   double AngleAfter = 0.0;
   double AreaBefore = 0.0; ///< mm^2
   double AreaAfter = 0.0;
@@ -38,7 +39,7 @@ struct SmoothingFigures
   std::int64_t SharpPoints = 0; ///< On edges that were kept because of FeatureAngle.
   std::int64_t LimitedPoints =
     0; ///< Whose bound was lowered, because triangles would intersect or turn over.
-  std::int64_t Rounds = 0; ///< Of lowering bounds.
+  std::int64_t Rounds = 0; ///< Rounds of lowering bounds.
 
   bool HasRun() const { return this->Bound > 0.0; }
 };

@@ -21,7 +21,8 @@ enum class TunnelObstacle : int
 {
   NoObstacle = 0,
   AmbiguousLoop, ///< It turns partly around the tunnel and partly around bone.
-  NoAnnulus, ///< The triangles along its loop are not a band with two edges, or reach an open boundary.
+  /// The triangles along its loop are not a band with two edges, or reach an open boundary.
+  NoAnnulus,
   Constrained, ///< A point with tolerance 0, a point that is not manifold, or several labels.
   Intersection ///< The plug would intersect the surface.
 };

@@ -14,11 +14,13 @@ namespace bonedecimate
 namespace
 {
 constexpr Index Width = 4; // children of a node
-/// Boxes are enlarged by this fraction of the whole and of the coordinate: four times the rounding of single precision.
+/// Boxes are enlarged by this fraction of the whole and of the coordinate: four times
+/// the rounding of single precision.
 constexpr double Growth = 1.0 / (1 << 22);
-/// Coordinates are clamped to this, in lengths of the whole, so that squares stay finite; all boxes are equally far then.
+/// Coordinates are clamped to this, in lengths of the whole, so that squares stay finite;
+/// all boxes are equally far then.
 constexpr double Far = 1e12;
-constexpr double LeastLength = 1e-290; // mm; the scale of a smaller surface would overflow
+constexpr double MinLength = 1e-290; // mm; the scale of a smaller surface would overflow
 
 struct Range
 {
@@ -78,7 +80,7 @@ public:
   {
     this->Tree.SetUnit(this->Source);
     this->FindMiddles();
-    this->Tree.Nodes.reserve(this->Middles.size() / 3 + 1);
+    this->Tree.Nodes.reserve(this->Middles.size() / 2 + 1);
     std::vector<std::size_t> levels = { 0 };
     for (std::vector<Range> ranges = { { 0, static_cast<Index>(this->Middles.size()) } };
          !ranges.empty();)
@@ -87,7 +89,6 @@ public:
       levels.push_back(this->Tree.Nodes.size());
       afterStep();
     }
-    this->Tree.Nodes.shrink_to_fit();
     this->FillSlots();
     afterStep();
     this->Middles = {};
@@ -321,11 +322,12 @@ void BoundingTree::SetUnit(const Surface& surface)
       high = high.cwiseMax(surface.Points[corner]);
     }
   }
-  this->Scale = 1.0 / std::max(LeastLength, (high - this->Low).maxCoeff());
+  this->Scale = 1.0 / std::max(MinLength, (high - this->Low).maxCoeff());
 }
 
 //------------------------------------------------------------------------------
-/// Converts mm to a unit in which all triangles lie between 0 and 1, rounded safely down (side -1) or up (side 1).
+/// Converts mm to a unit in which all triangles lie between 0 and 1, rounded safely
+/// down (side -1) or up (side 1).
 float BoundingTree::ToUnit(double coordinate, Eigen::Index axis, double side) const
 {
   const double unit = std::clamp((coordinate - this->Low[axis]) * this->Scale, -Far, Far);

@@ -9,11 +9,13 @@ namespace bonedecimate
 {
 namespace
 {
-/// A child has little more than a quarter of the triangles of its parent, so 2^31 triangles need 17 levels.
-constexpr std::size_t LargestStack = 128;
-/// A distance or squared distance to a box in single precision is too large by less than this factor.
+/// A child has little more than a quarter of the triangles of its parent, so
+/// 2^31 triangles need 17 levels.
+constexpr std::size_t MaxStack = 128;
+/// A distance or squared distance to a box in single precision is too
+/// large by less than this factor.
 constexpr double Slack = 1.0 + 1e-5;
-constexpr double LargestSquare = 1e38;
+constexpr double MaxSquare = 1e38;
 
 /// The query point in the unit of the tree.
 struct QueryPoint
@@ -21,8 +23,8 @@ struct QueryPoint
   std::array<float, 3> Low, High; // bounds of its coordinates
 };
 
-/// Squared distances to four boxes. Uses x + |x|, twice the maximum of x and 0, because gcc 12 does not vectorize maxima;
-/// at most one of the distances below and above a box is positive.
+/// Squared distances to four boxes. Uses x + |x|, twice the maximum of x and 0, because gcc 12 does
+/// not vectorize maxima; at most one of the distances below and above a box is positive.
 template <typename Boxes>
 std::array<float, 4> SquaredDistances(const QueryPoint& query, const Boxes& boxes)
 {
@@ -94,7 +96,7 @@ void BoundingTree::Descend(
     float Distance;
     Index Child;
   };
-  std::array<Waiting, LargestStack> stack;
+  std::array<Waiting, MaxStack> stack;
   std::size_t size = 0;
   float most = farthest();
   if (!this->Nodes.empty())
@@ -153,7 +155,7 @@ void BoundingTree::Walk(const Vector3& p, Limit limit, Visit visit) const
   const auto farthest = [&]
   {
     const double square = limit() * this->Scale * this->Scale * Slack;
-    return static_cast<float>(std::min(square, LargestSquare));
+    return static_cast<float>(std::min(square, MaxSquare));
   };
   this->Descend([&](const Node& node) { return SquaredDistances(query, node); }, farthest,
     [&](const OrientedBox& box) { return box.SquaredDistance(p) * this->Scale * this->Scale; },
@@ -244,7 +246,7 @@ void BoundingTree::VisitAlong(const Vector3& from, const Vector3& direction, con
 {
   const Ray ray((from - this->Low) * this->Scale, direction);
   const auto farthest = [&]
-  { return static_cast<float>(std::min(length * this->Scale * Slack, LargestSquare)); };
+  { return static_cast<float>(std::min(length * this->Scale * Slack, MaxSquare)); };
   this->Descend([&](const Node& node) { return EntriesOf(ray, node); }, farthest,
     [&](const OrientedBox& box) { return box.EntryOf(from, direction) * this->Scale; },
     [&](const Slot& slot) { visit(slot.Id); });

@@ -5,13 +5,15 @@
  * @brief Exact signs of orientation determinants for the points as they are stored.
  *
  *     filter:  the determinant in double precision, if it exceeds the bound of its rounding error
- *     exact:   otherwise the sum of all products as an expansion, a sum of nonoverlapping doubles (Expansion.h)
+ *     exact:   otherwise the sum of all products as an expansion, a sum of
+ *              nonoverlapping doubles (Expansion.h)
  *
- * Requires rounding to nearest in double precision without contraction. The signs are exact for coordinates that are 0 or
- * between 1e-70 and 1e90 in magnitude: products neither overflow nor underflow.
+ * Requires rounding to nearest in double precision without contraction. The signs are
+ * exact for coordinates that are 0 or between 1e-70 and 1e90 in magnitude: products
+ * neither overflow nor underflow.
  *
- * J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997: expansions,
- * and the bounds of the filters.
+ * J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
+ * predicates, 1997: expansions, and the bounds of the filters.
  */
 #ifndef BoneDecimate_Core_Geometry_ExactPredicates_h
 #define BoneDecimate_Core_Geometry_ExactPredicates_h
@@ -40,8 +42,8 @@ public:
     this->Magnitude = FilterBound * (first.cwiseAbs() + second.cwiseAbs());
   }
 
-  /// The sign of (b - a) x (c - a) . (p - a): 1 on the positive side, -1 on the other, 0 in the plane. 0 for every p if
-  /// the three points lie on a line.
+  /// The sign of (b - a) x (c - a) . (p - a): 1 on the positive side, -1 on the other, 0 in the
+  /// plane. 0 for every p if the three points lie on a line.
   int SideOf(const Vector3& p) const
   {
     const Vector3 w = p - this->A;
@@ -68,7 +70,8 @@ inline int Orientation(const Vector3& a, const Vector3& b, const Vector3& c, con
   return OrientedPlane(a, b, c).SideOf(d);
 }
 
-/// The sign of the area of the triangle a b c projected along an axis: the sign of that coordinate of (b - a) x (c - a).
+/// The sign of the area of the triangle a b c projected along an axis: the sign of that
+/// coordinate of (b - a) x (c - a).
 /// @param axis 0, 1 or 2.
 int ProjectedOrientation(const Vector3& a, const Vector3& b, const Vector3& c, Eigen::Index axis);
 }

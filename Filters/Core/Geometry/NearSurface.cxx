@@ -11,8 +11,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the distance: smaller pieces of a triangle are not cut.
-constexpr double LeastRadius = 0.25;
+/// Pieces of a triangle below this fraction of the distance are not cut.
+constexpr double MinRadius = 0.25;
 /// Rounding in the search.
 constexpr double SlackOfReach = 1.0 + 1e-9;
 
@@ -51,7 +51,7 @@ bool MayComeNear(
   {
     return false;
   }
-  if (nearest.Point.SquaredDistance <= distance * distance || radius <= LeastRadius * distance)
+  if (nearest.Point.SquaredDistance <= distance * distance || radius <= MinRadius * distance)
   {
     return true;
   }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OrientedBox.h
- * @brief A box along the longest edge of triangles that lie side by side, such as the needles of a fan.
+ * @brief A box along the longest edge of triangles that lie side by
+ * side, such as the needles of a fan.
  */
 #ifndef BoneDecimate_Core_Geometry_OrientedBox_h
 #define BoneDecimate_Core_Geometry_OrientedBox_h
@@ -22,7 +23,8 @@ struct OrientedBox
   std::array<Vector3, 3> Axes;      // of length 1; the first one is along the box
   std::array<double, 3> Half = {};  // mm, slightly enlarged
 
-  /// Of what visitPoints(add) adds, along a direction that is not 0; the second axis is perpendicular to the normal, too.
+  /// The box of what visitPoints(add) adds, along a direction that is not 0; the second axis is
+  /// perpendicular to the normal, too.
   template <typename VisitPoints>
   OrientedBox(const Vector3& along, const Vector3& normal, const VisitPoints& visitPoints)
   {

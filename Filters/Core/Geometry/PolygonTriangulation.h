@@ -4,14 +4,18 @@
  * @file PolygonTriangulation.h
  * @brief Triangles of a polygon, whatever its shape: ear clipping that never gives up.
  *
- *     plane       perpendicular to the sum of the corners' cross products; if that is 0 (a bow tie), to the largest of them
- *     ear         a convex corner whose triangle has no reflex corner in it, by exact signs in the projection along an axis
- *     next ear    that of the least perimeter^2 / area; of many corners first every second one, so that no corner is in many triangles
+ *     plane       perpendicular to the sum of the corners' cross products; if that is 0 (a
+ *                 bow tie), to the largest of them
+ *     ear         a convex corner whose triangle has no reflex corner in it, by exact signs
+ *                 in the projection along an axis
+ *     next ear    that of the least perimeter^2 / area; of many corners first every second one, so
+ *                 that no corner is in many triangles
  *     no ear      the convex corner of the least perimeter^2 / area, even if triangles overlap then
  *
- * n corners always give n - 2 triangles, and every edge of the polygon is an edge of one of them, so that neighbors still meet
- * at their common edges. The triangles depend on differences of coordinates alone. Of a quadrilateral both diagonals are
- * compared: the one with two ears is used, otherwise the shorter one. Corners at the position of the previous one are left out.
+ * n corners always give n - 2 triangles, and every edge of the polygon is an edge of one of them,
+ * so that neighbors still meet at their common edges. The triangles depend on differences of
+ * coordinates alone. Of a quadrilateral both diagonals are compared: the one with two ears is used,
+ * otherwise the shorter one. Corners at the position of the previous one are left out.
  *
  * Time is n log n for polygons whose ears are small, and at most n^2.
  */
@@ -39,7 +43,8 @@ public:
   /**
    * Appends triangles with the orientation of the polygon.
    * @param corners Valid indices of points.
-   * @return Whether there are any: not with fewer than three corners at different successive positions.
+   * @return Whether there are any: not with fewer than three corners at
+   * different successive positions.
    */
   bool Append(const std::vector<Index>& corners, std::vector<Triangle>& triangles);
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SmallestAngle.h
- * @brief The smallest angle of a triangle, as its cosine: 0.5 for an equilateral triangle, 1 for one without area.
+ * @brief The smallest angle of a triangle, as its cosine: 0.5 for an equilateral
+ * triangle, 1 for one without area.
  */
 #ifndef BoneDecimate_Core_Geometry_SmallestAngle_h
 #define BoneDecimate_Core_Geometry_SmallestAngle_h
@@ -10,18 +11,25 @@
 #include "Surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bonedecimate
 {
+/// Squares of the sides, mm^2, ascending.
+inline std::array<double, 3> SortedSquares(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const double sides[3] = { (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() };
+  const double lower = std::min(sides[0], sides[1]);
+  const double upper = std::max(sides[0], sides[1]);
+  return { std::min(lower, sides[2]), std::max(lower, std::min(upper, sides[2])),
+    std::max(upper, sides[2]) };
+}
+
 /// The smallest angle lies opposite to the shortest side: the law of cosines.
 inline double CosineOfSmallestAngle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const double sides[3] = { (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() };
-  const double shortest = std::min({ sides[0], sides[1], sides[2] });
-  const double longest = std::max({ sides[0], sides[1], sides[2] });
-  const double middle =
-    std::max(std::min(sides[0], sides[1]), std::min(std::max(sides[0], sides[1]), sides[2]));
+  const auto [shortest, middle, longest] = SortedSquares(a, b, c);
   return shortest > 0.0 ? (middle + longest - shortest) / (2.0 * std::sqrt(middle * longest)) : 1.0;
 }
 

@@ -32,13 +32,13 @@ inline double Dot(const Vector3& a, const Vector3& b)
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// mm, along each axis; with larger coordinates products of areas overflow.
-constexpr double LargestCoordinate = 1e30;
+constexpr double MaxCoordinate = 1e30;
 
-/// Whether all coordinates are finite and not beyond LargestCoordinate.
+/// Whether all coordinates are finite and not beyond MaxCoordinate.
 inline bool IsUsable(const Vector3& point)
 {
-  return std::abs(point[0]) <= LargestCoordinate && std::abs(point[1]) <= LargestCoordinate &&
-    std::abs(point[2]) <= LargestCoordinate;
+  return std::abs(point[0]) <= MaxCoordinate && std::abs(point[1]) <= MaxCoordinate &&
+    std::abs(point[2]) <= MaxCoordinate;
 }
 
 /// Index of a point, a triangle or a half-edge; -1 means none.

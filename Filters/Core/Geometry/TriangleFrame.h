@@ -4,8 +4,9 @@
  * @file TriangleFrame.h
  * @brief A triangle prepared for many nearest-point queries.
  *
- * For a projection outside of the triangle the nearest point lies on an edge opposite a negative barycentric coordinate,
- * so only these edges are evaluated. NearestOnTriangle computes the same, more slowly, and more accurately for needles.
+ * For a projection outside of the triangle the nearest point lies on an edge opposite a negative
+ * barycentric coordinate, so only these edges are evaluated. NearestOnTriangle computes the same,
+ * more slowly, and more accurately for needles.
  */
 #ifndef BoneDecimate_Core_Geometry_TriangleFrame_h
 #define BoneDecimate_Core_Geometry_TriangleFrame_h
@@ -28,7 +29,8 @@ public:
     double SquaredDistance = std::numeric_limits<double>::infinity(); // mm^2
     double B = 0.0;
     double C = 0.0;
-    /// Bit 0, 1, 2: the weight of corner a, b, c is zero because the point lies on the opposite edge.
+    /// Bit 0, 1, 2: the weight of corner a, b, c is zero because the
+    /// point lies on the opposite edge.
     int Clamped = 0;
   };
 
@@ -44,7 +46,8 @@ public:
   {
     const double twiceArea = this->Normal.norm();
     this->Area = 0.5 * twiceArea;
-    // The plane of a triangle narrower than 1e-9 of its length is rounding error: its edges are accurate enough.
+    // The plane of a triangle narrower than 1e-9 of its length is rounding error:
+    // its edges are accurate enough.
     if (twiceArea * twiceArea > 1e-18 * this->Bb * this->Cc)
     {
       this->Normal /= twiceArea;
@@ -64,7 +67,8 @@ public:
   double SquaredSides() const { return 2.0 * (this->Bb + this->Cc - this->Bc); }
   bool HasPlane() const { return this->Inverse > 0.0; }
 
-  /// The weights of b and c at the projection of p onto the plane, also outside of the triangle; zero without a plane.
+  /// The weights of b and c at the projection of p onto the plane, also outside of the
+  /// triangle; zero without a plane.
   std::array<double, 2> Coordinates(const Vector3& p) const
   {
     const Vector3 ap = p - this->A;
@@ -74,8 +78,8 @@ public:
       (this->Bb * pc - this->Bc * pb) * this->Inverse };
   }
 
-  /// Squared distance to a point of the triangle that is nearest but for rounding, mm^2: too small by at most the rounding
-  /// of one subtraction.
+  /// Squared distance to a point of the triangle that is nearest but for rounding, mm^2: too small
+  /// by at most the rounding of one subtraction.
   double SquaredReach(const Vector3& p) const
   {
     return (p - this->At(this->Nearest(p))).squaredNorm();
@@ -99,8 +103,9 @@ public:
   }
 
   /**
-   * For a point inside the triangle: bit 0, 1, 2 is set if the edge opposite a, b, c is so near that the triangle across it
-   * may be nearer. Triangles across the other edges can be nearer only at a dihedral angle below 30 degrees.
+   * For a point inside the triangle: bit 0, 1, 2 is set if the edge opposite a, b, c is so near
+   * that the triangle across it may be nearer. Triangles across the other edges can be nearer only
+   * at a dihedral angle below 30 degrees.
    */
   int EdgesNearby(const Point& point) const
   {

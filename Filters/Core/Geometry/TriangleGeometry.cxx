@@ -10,8 +10,9 @@ namespace
 {
 using Corners = std::array<const Vector3*, 3>;
 
-/// The normal of a triangle narrower than 1e-12 of its length is rounding error: its edges are accurate enough.
-constexpr double LeastSquaredSine = 1e-24;
+/// The normal of a triangle narrower than 1e-12 of its length is rounding error:
+/// its edges are accurate enough.
+constexpr double MinSquaredSine = 1e-24;
 
 PointOnTriangle PointAt(
   const Vector3& p, const Corners& corners, const std::array<double, 3>& weights)
@@ -89,7 +90,7 @@ PointOnTriangle NearestOnTriangle(
   const double overB = Dot(normal, ap.cross(ac));
   const double overA = Dot(normal, bp.cross(cp));
   const double sum = normal.squaredNorm();
-  const bool hasPlane = sum > LeastSquaredSine * ab.squaredNorm() * ac.squaredNorm();
+  const bool hasPlane = sum > MinSquaredSine * ab.squaredNorm() * ac.squaredNorm();
   if (hasPlane && overA > 0.0 && overB > 0.0 && overC > 0.0)
   {
     return PointAt(p, corners, { 1.0 - (overB + overC) / sum, overB / sum, overC / sum });

@@ -16,7 +16,7 @@ namespace bonedecimate
 {
 struct Zone
 {
-  Vector3 Direction = Vector3::UnitZ(); ///< Of length 1.
+  Vector3 Direction = Vector3::UnitZ(); ///< Unit vector.
   double Low = 0.0;                     ///< mm along the direction.
   double High = 0.0;                    ///< mm
 

@@ -8,8 +8,9 @@
  *     patches     all changes by flips and moves between two collapses
  *     marks       levels whose distance to the input was measured
  *
- * Ids are those of the cleaned and sorted input (Cleaning.h, SpatialOrder.h), which can be restored from the same input.
- * Positions are those of the output: in the frame of the input, mm, of single precision if the output is.
+ * Ids are those of the cleaned and sorted input (Cleaning.h, SpatialOrder.h), which can be
+ * restored from the same input. Positions are those of the output: in the frame of the input, mm,
+ * of single precision if the output is.
  */
 #ifndef BoneDecimate_Core_Levels_EditLog_h
 #define BoneDecimate_Core_Levels_EditLog_h
@@ -23,7 +24,7 @@ namespace bonedecimate
 {
 struct LoggedCollapse
 {
-  Vector3 Position;       ///< Of the merged vertex, mm.
+  Vector3 Position;       ///< Position of the merged vertex, mm.
   Index HalfEdge = None;  ///< The collapsed edge, in a removed face; see HalfEdgeMesh.h.
   Index OtherFace = None; ///< The other removed face; None on a boundary.
   Index Kept = None;      ///< The end that is kept.
@@ -61,8 +62,8 @@ struct LevelMark
 struct EditLog
 {
   std::uint64_t InputChecksum = 0; ///< Checksum.h
-  Index Vertices = 0;              ///< Of the cleaned input.
-  Index Faces = 0;                 ///< Of the cleaned input.
+  Index Vertices = 0;              ///< Vertices of the cleaned input.
+  Index Faces = 0;                 ///< Faces of the cleaned input.
   bool IsSingle = false;           ///< Whether positions and output have single precision.
   bool MergesPoints = true;        ///< Whether cleaning merged equal points.
   std::vector<LoggedCollapse> Collapses;

@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LevelStack.h
- * @brief All levels of a recorded run in arrays from which each can be extracted without replaying its edits.
+ * @brief All levels of a recorded run in arrays from which each can be
+ * extracted without replaying its edits.
  *
- *     each face     time of its removal; a linked list of the changes of its corners by flips, latest first
- *     each vertex   time of its removal and the vertex into which it was merged; all its positions with times
+ *     each face     time of its removal; a linked list of the changes of its
+ *                   corners by flips, latest first
+ *     each vertex   time of its removal and the vertex into which it was
+ *                   merged; all its positions with times
  *
  *     level t:  the faces removed later, in their order
- *               corners: after the last change up to t, each replaced by the vertex into which it was merged up to t
+ *               corners: after the last change up to t, each replaced by the vertex
+ *                 into which it was merged up to t
  *               points:  the last position up to t
  *
- * Time counts collapses: collapse 0 happens at time 1, a patch at the number of collapses before it.
- * After H. Hoppe, Progressive meshes, SIGGRAPH 1996, with times instead of a sequence.
+ * Time counts collapses: collapse 0 happens at time 1, a patch at the number of collapses before
+ * it. After H. Hoppe, Progressive meshes, SIGGRAPH 1996, with times instead of a sequence.
  */
 #ifndef BoneDecimate_Core_Levels_LevelStack_h
 #define BoneDecimate_Core_Levels_LevelStack_h
@@ -53,8 +57,10 @@ public:
   /// The triangle of the cleaned input of which each triangle of At() is what is left.
   std::vector<Index> FacesAt(Index collapses) const;
 
-  /// @param points Of the cleaned input's vertices, mm, in the frame of the input, used for vertices that were never moved.
-  /// @param originals The original vertex of each vertex, see ManifoldPatches.h; empty: nothing was split.
+  /// @param points Of the cleaned input's vertices, mm, in the frame of the input, used for
+  /// vertices that were never moved.
+  /// @param originals The original vertex of each vertex, see
+  /// ManifoldPatches.h; empty: nothing was split.
   Level At(Index collapses, int threads, const std::vector<Vector3>& points,
     const std::vector<Index>& originals) const;
 

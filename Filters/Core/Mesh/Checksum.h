@@ -4,12 +4,13 @@
  * @file Checksum.h
  * @brief Checksums of the points and triangles of an input, and of a result.
  *
- * FNV-1a over 64-bit words instead of bytes. Points and triangles are divided into blocks (Parallel.h), each with three
- * sums, one for each coordinate or corner; the sums of all blocks are the words of the final sum.
+ * FNV-1a over 64-bit words instead of bytes. Points and triangles are divided into blocks
+ * (Parallel.h), each with three sums, one for each coordinate or corner; the sums of all blocks
+ * are the words of the final sum.
  *
- * That of a result does not depend on the order of its points and triangles: it is the sum of a hash of each triangle, whose
- * least corner comes first. So it is that of every file with these triangles, to the bit, and that of a whole is the sum of
- * those of its parts.
+ * That of a result does not depend on the order of its points and triangles: it is the sum of a
+ * hash of each triangle, whose least corner comes first. So it is that of every file with these
+ * triangles, to the bit, and that of a whole is the sum of those of its parts.
  *
  * G. Fowler, L. C. Noll, K.-P. Vo: the hash of an input; SplitMix.h: that of a triangle.
  */
@@ -25,7 +26,8 @@ namespace bonedecimate
 {
 std::uint64_t Checksum(const Surface& surface, int threads = 1);
 
-/// Of the triangles alone, by their coordinates; 0 without any. Turning a triangle over changes it.
+/// Checksum of the triangles alone, by their coordinates; 0 without any.
+/// Turning a triangle over changes it.
 std::uint64_t TriangleChecksum(const Surface& surface, int threads = 1);
 
 /// "triangles:0123456789abcdef"

@@ -16,7 +16,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr std::size_t MostTriangles = std::numeric_limits<Index>::max() / 4;
+constexpr std::size_t MaxTriangles = std::numeric_limits<Index>::max() / 4;
 
 /// Count and first id.
 struct Tally
@@ -96,7 +96,7 @@ InputStatus CheckSurface(const Surface& input, int threads, CleaningStatistics& 
 {
   found.PointsRead = static_cast<std::int64_t>(input.Points.size());
   found.TrianglesRead = static_cast<std::int64_t>(input.Triangles.size());
-  if (input.Triangles.size() > MostTriangles ||
+  if (input.Triangles.size() > MaxTriangles ||
     input.Points.size() > std::numeric_limits<Index>::max())
   {
     return InputStatus::TooManyTriangles;

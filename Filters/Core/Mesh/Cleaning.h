@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Cleaning.h
- * @brief Rejects invalid input, merges equal points, drops triangles without area, and counts all of these.
+ * @brief Rejects invalid input, merges equal points, drops triangles without
+ * area, and counts all of these.
  *
  *     check points and triangles
- *     each used point: its representative is the least used point with the same coordinates     PointMerging.h
- *     each triangle: dropped if two corners are equal, or if it is flat with neighbors at no more than one edge
+ *     each used point: its representative is the least used point with the same coordinates
+ *                      (PointMerging.h)
+ *     each triangle:   dropped if two corners are equal, or if it is flat with neighbors at no more
+ *                      than one edge
  *     renumber the representatives, replace the corners
  *
  * The result does not depend on the number of threads.
@@ -42,9 +45,9 @@ struct CleanSurface
 InputStatus CheckSurface(const Surface& input, int threads, CleaningStatistics& found);
 
 /**
- * Triangles with a repeated corner are dropped. A triangle of zero area with three different corners is dropped
- * only if it has neighbors at no more than one edge: otherwise dropping it would open a crack.
- * If Status is not Good, only Statistics is filled.
+ * Triangles with a repeated corner are dropped. A triangle of zero area with three different
+ * corners is dropped only if it has neighbors at no more than one edge: otherwise dropping it would
+ * open a crack. If Status is not Good, only Statistics is filled.
  */
 CleanSurface Clean(const Surface& input, bool mergePoints, int threads = 1);
 }

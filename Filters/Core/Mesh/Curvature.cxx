@@ -27,7 +27,7 @@ Vector3 AreaVectorOf(const HalfEdgeMesh& mesh, FaceId face) // mm^2
   return AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]));
 }
 
-/// Of an edge of two faces.
+/// The tensor of an edge of two faces.
 Eigen::Matrix3d TensorOf(const HalfEdgeMesh& mesh, HalfEdgeId h)
 {
   const Vector3 edge = mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h));
@@ -43,7 +43,7 @@ Eigen::Matrix3d TensorOf(const HalfEdgeMesh& mesh, HalfEdgeId h)
   return sign * angle / length * edge * edge.transpose();
 }
 
-/// Of each vertex: half of each edge, a third of each face.
+/// Each vertex gets half of each edge and a third of each face.
 std::vector<Curving> CurvingOfVertices(const HalfEdgeMesh& mesh)
 {
   std::vector<Curving> curving(static_cast<std::size_t>(mesh.NumberOfVertexSlots()));
@@ -114,7 +114,7 @@ private:
   std::vector<Index> Found;
 };
 
-double LargestEigenvalue(const Curving& curving) // 1/mm, without its sign
+double MaxEigenvalue(const Curving& curving) // 1/mm, without its sign
 {
   if (!(curving.Area > 0.0))
   {
@@ -126,7 +126,7 @@ double LargestEigenvalue(const Curving& curving) // 1/mm, without its sign
 }
 }
 
-std::vector<double> LargestCurvatures(
+std::vector<double> MaxCurvatures(
   const HalfEdgeMesh& mesh, const PointGraph& graph, double radius, int threads)
 {
   const std::vector<Curving> curving = CurvingOfVertices(mesh);
@@ -137,7 +137,7 @@ std::vector<double> LargestCurvatures(
       Neighborhoods neighborhoods(mesh, graph, radius, curving);
       for (std::size_t v = first; v < last; ++v)
       {
-        largest[v] = LargestEigenvalue(neighborhoods.Around(static_cast<Index>(v)));
+        largest[v] = MaxEigenvalue(neighborhoods.Around(static_cast<Index>(v)));
       }
     });
   return largest;

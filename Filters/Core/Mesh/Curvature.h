@@ -4,10 +4,11 @@
  * @file Curvature.h
  * @brief The curvature of a surface, averaged over a neighborhood of each vertex.
  *
- *     T(B) = 1 / area(B) * sum over edges of B: angle * length * e e^T        e: unit direction of the edge
+ *     T(B) = 1 / area(B) * sum over edges of B: angle * length * e e^T    e: direction of the edge
  *
- * The angle is that between the normals of the two faces, positive where the surface is convex. The eigenvalues of T are the principal
- * curvatures and 0. D. Cohen-Steiner and J.-M. Morvan, Restricted Delaunay Triangulations and Normal Cycle, 2003.
+ * The angle is that between the normals of the two faces, positive where the surface is convex. The
+ * eigenvalues of T are the principal curvatures and 0. D. Cohen-Steiner and J.-M. Morvan,
+ * Restricted Delaunay Triangulations and Normal Cycle, 2003.
  */
 #ifndef BoneDecimate_Core_Mesh_Curvature_h
 #define BoneDecimate_Core_Mesh_Curvature_h
@@ -20,10 +21,11 @@
 namespace bonedecimate
 {
 /**
- * 1/mm, of each vertex: the largest absolute principal curvature of the part of the surface within the radius that edges connect with it.
+ * 1/mm, of each vertex: the largest absolute principal curvature of the part of the surface within
+ * the radius that edges connect with it.
  * @param mesh Before the first edit.  @param graph Of its points.  @param radius mm
  */
-std::vector<double> LargestCurvatures(
+std::vector<double> MaxCurvatures(
   const HalfEdgeMesh& mesh, const PointGraph& graph, double radius, int threads);
 }
 

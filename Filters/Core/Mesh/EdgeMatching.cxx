@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -25,15 +26,22 @@ EdgeMatching::EdgeMatching(
   const std::vector<Triangle>& triangles, std::size_t numberOfPoints, int threads)
   : Triangles(triangles)
   , Threads(threads)
-  , Start(numberOfPoints + 1, 0)
-  , Spokes(3 * triangles.size())
-  , TwinOf(4 * triangles.size())
 {
+  this->Match(numberOfPoints);
+}
+
+//------------------------------------------------------------------------------
+void EdgeMatching::Match(std::size_t numberOfPoints)
+{
+  this->Start.assign(numberOfPoints + 1, 0);
+  this->Spokes.resize(3 * this->Triangles.size());
+  this->TwinOf.resize(4 * this->Triangles.size());
   this->SortByOrigin();
-  ForEachId(triangles.size(), threads, [&](std::size_t t) { this->TwinOf[4 * t + 3] = None; });
+  ForEachId(
+    this->Triangles.size(), this->Threads, [&](std::size_t t) { this->TwinOf[4 * t + 3] = None; });
   const auto eachBlock = [&](auto step)
   {
-    ForEachBlock(numberOfPoints, threads,
+    ForEachBlock(numberOfPoints, this->Threads,
       [&](std::size_t, std::size_t first, std::size_t last) { (this->*step)(first, last); });
   };
   eachBlock(&EdgeMatching::SortLongLists);
@@ -62,8 +70,7 @@ void EdgeMatching::SortByOrigin()
     const Triangle& corners = this->Triangles[t];
     for (Index k = 2; k >= 0; --k)
     {
-      this->Spokes[--this->Start[corners[k]]] = { corners[NextCorner(k)],
-        static_cast<Index>(4 * t) + k };
+      this->Spokes[--this->Start[corners[k]]] = static_cast<Index>(4 * t) + k;
     }
   }
 }
@@ -76,8 +83,8 @@ void EdgeMatching::SortLongLists(std::size_t firstPoint, std::size_t lastPoint)
     if (this->Start[p + 1] - this->Start[p] > LongList)
     {
       std::sort(this->Spokes.begin() + this->Start[p], this->Spokes.begin() + this->Start[p + 1],
-        [](const Spoke& a, const Spoke& b)
-        { return a.Target != b.Target ? a.Target < b.Target : a.HalfEdge < b.HalfEdge; });
+        [this](Index a, Index b)
+        { return std::make_pair(this->TargetOf(a), a) < std::make_pair(this->TargetOf(b), b); });
     }
   }
 }
@@ -85,21 +92,20 @@ void EdgeMatching::SortLongLists(std::size_t firstPoint, std::size_t lastPoint)
 //------------------------------------------------------------------------------
 EdgeMatching::Bundle EdgeMatching::Between(Index from, Index to) const
 {
-  const Spoke* first = this->Spokes.data() + this->Start[from];
-  const Spoke* last = this->Spokes.data() + this->Start[from + 1];
+  const Index* first = this->Spokes.data() + this->Start[from];
+  const Index* last = this->Spokes.data() + this->Start[from + 1];
   if (last - first > LongList)
   {
-    const auto range = std::equal_range(first, last, Spoke{ to, None },
-      [](const Spoke& a, const Spoke& b) { return a.Target < b.Target; });
-    const auto count = static_cast<Index>(range.second - range.first);
-    return { count, count > 0 ? range.first->HalfEdge : None };
+    first = std::partition_point(first, last, [&](Index h) { return this->TargetOf(h) < to; });
+    last = std::partition_point(first, last, [&](Index h) { return this->TargetOf(h) == to; });
+    return { static_cast<Index>(last - first), first != last ? *first : None };
   }
   Bundle bundle;
-  for (const Spoke* spoke = first; spoke != last; ++spoke)
+  for (const Index* spoke = first; spoke != last; ++spoke)
   {
-    const bool fits = spoke->Target == to;
+    const bool fits = this->TargetOf(*spoke) == to;
     bundle.Count += fits ? 1 : 0;
-    bundle.HalfEdge = fits ? spoke->HalfEdge : bundle.HalfEdge;
+    bundle.HalfEdge = fits ? *spoke : bundle.HalfEdge;
   }
   return bundle;
 }
@@ -118,7 +124,8 @@ public:
     return isFree;
   }
 
-  /// Removes the half-edge from the neighbor to the point; None if there is none or it was removed before.
+  /// Removes the half-edge from the neighbor to the point; None if there is
+  /// none or it was removed before.
   Index Take(Index point, Index neighbor)
   {
     Mark& mark = this->At(neighbor);
@@ -155,23 +162,25 @@ void EdgeMatching::MatchBlock(std::size_t firstPoint, std::size_t lastPoint)
 }
 
 //------------------------------------------------------------------------------
-/// Each triangle at the point has one outgoing and one incoming half-edge. False if these do not pair one to one.
+/// Each triangle at the point has one outgoing and one incoming half-edge. False
+/// if these do not pair one to one.
 bool EdgeMatching::MatchPairs(Index point, Marks& marks)
 {
   bool paired = true;
-  const Spoke* first = this->Spokes.data() + this->Start[point];
-  const Spoke* last = this->Spokes.data() + this->Start[point + 1];
-  for (const Spoke* spoke = first; spoke != last; ++spoke)
+  const Index* first = this->Spokes.data() + this->Start[point];
+  const Index* last = this->Spokes.data() + this->Start[point + 1];
+  for (const Index* spoke = first; spoke != last; ++spoke)
   {
-    const HalfEdgeId arriving = HalfEdgeMesh::Previous(spoke->HalfEdge);
+    const HalfEdgeId arriving = HalfEdgeMesh::Previous(*spoke);
     const Index origin = this->Triangles[arriving >> 2][arriving & 3];
     paired = marks.Set(point, origin, arriving) && paired;
   }
-  for (const Spoke* spoke = first; spoke != last; ++spoke)
+  for (const Index* spoke = first; spoke != last; ++spoke)
   {
-    const Index twin = marks.Take(point, spoke->Target);
-    this->TwinOf[spoke->HalfEdge] = twin;
-    paired = paired && twin != None && spoke->Target != point;
+    const Index target = this->TargetOf(*spoke);
+    const Index twin = marks.Take(point, target);
+    this->TwinOf[*spoke] = twin;
+    paired = paired && twin != None && target != point;
   }
   return paired;
 }
@@ -181,14 +190,29 @@ void EdgeMatching::MatchOneByOne(Index point)
 {
   for (Index i = this->Start[point]; i < this->Start[point + 1]; ++i)
   {
-    const Spoke& spoke = this->Spokes[i];
-    const Bundle back = this->Between(spoke.Target, point);
-    const bool alone = this->Between(point, spoke.Target).Count == 1 && spoke.Target != point;
+    const Index target = this->TargetOf(this->Spokes[i]);
+    const Bundle back = this->Between(target, point);
+    const bool alone = this->Between(point, target).Count == 1 && target != point;
     const bool isPair = alone && back.Count == 1;
-    this->TwinOf[spoke.HalfEdge] = isPair           ? back.HalfEdge
-      : this->CountOnEdge(point, spoke.Target) == 1 ? None
-                                                    : OddEdge;
+    this->TwinOf[this->Spokes[i]] = isPair    ? back.HalfEdge
+      : this->CountOnEdge(point, target) == 1 ? None
+                                              : OddEdge;
   }
+}
+
+//------------------------------------------------------------------------------
+Index EdgeMatching::TargetOf(Index halfEdge) const
+{
+  return this->Triangles[halfEdge >> 2][NextCorner(halfEdge & 3)];
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> EdgeMatching::OutgoingAt(Index point) const
+{
+  std::vector<Index> outgoing(
+    this->Spokes.begin() + this->Start[point], this->Spokes.begin() + this->Start[point + 1]);
+  std::sort(outgoing.begin(), outgoing.end());
+  return outgoing;
 }
 
 //------------------------------------------------------------------------------
@@ -199,12 +223,11 @@ Index EdgeMatching::CountOnEdge(Index a, Index b) const
 
 //------------------------------------------------------------------------------
 /// Whether this is the first half-edge of its edge, so that each edge is counted once.
-bool EdgeMatching::IsFirstOnEdge(Index origin, const Spoke& spoke) const
+bool EdgeMatching::IsFirstOnEdge(Index origin, Index halfEdge) const
 {
-  const Index target = spoke.Target;
-  return origin <= target ? this->Between(origin, target).HalfEdge == spoke.HalfEdge
-                          : this->Between(target, origin).Count == 0 &&
-      this->Between(origin, target).HalfEdge == spoke.HalfEdge;
+  const Index target = this->TargetOf(halfEdge);
+  return (origin <= target || this->Between(target, origin).Count == 0) &&
+    this->Between(origin, target).HalfEdge == halfEdge;
 }
 
 //------------------------------------------------------------------------------
@@ -233,13 +256,12 @@ void EdgeMatching::CountEdgesOf(Index triangle, EdgeCounts& counts) const
     const Index twin = this->TwinOf[static_cast<std::size_t>(h)];
     counts.HalfPairs += twin >= 0 ? 1 : 0;
     counts.Boundary += twin == None ? 1 : 0;
-    const Triangle& c = this->Triangles[static_cast<std::size_t>(triangle)];
-    const Spoke spoke = { c[static_cast<std::size_t>(NextCorner(k))], h };
-    const Index origin = c[static_cast<std::size_t>(k)];
-    if (twin == OddEdge && this->IsFirstOnEdge(origin, spoke))
+    const Index origin =
+      this->Triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(k)];
+    if (twin == OddEdge && this->IsFirstOnEdge(origin, h))
     {
       ++counts.Edges;
-      counts.NonManifold += this->CountOnEdge(origin, spoke.Target) > 2 ? 1 : 0;
+      counts.NonManifold += this->CountOnEdge(origin, this->TargetOf(h)) > 2 ? 1 : 0;
     }
   }
 }
@@ -247,7 +269,7 @@ void EdgeMatching::CountEdgesOf(Index triangle, EdgeCounts& counts) const
 //------------------------------------------------------------------------------
 void EdgeMatching::CutBetween(const std::vector<Index>& labels)
 {
-  for (Index h = 0; h < static_cast<Index>(this->TwinOf.size()); ++h)
+  for (Index h = 0; h < static_cast<Index>(this->TwinOf.size()) && !labels.empty(); ++h)
   {
     const Index twin = this->TwinOf[h];
     if (twin > h && labels[h >> 2] != labels[twin >> 2])
@@ -276,6 +298,20 @@ Rings EdgeMatching::FindRings() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<Index> NonManifoldPoints(const Rings& rings)
+{
+  std::vector<Index> points;
+  for (std::size_t p = 0; p < rings.Constraints.size(); ++p)
+  {
+    if (rings.Constraints[p] == VertexConstraint::NonManifold)
+    {
+      points.push_back(static_cast<Index>(p));
+    }
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
 void EdgeMatching::FindRing(Index point, Rings& rings) const
 {
   Index least = None;
@@ -283,7 +319,7 @@ void EdgeMatching::FindRing(Index point, Rings& rings) const
   Index worst = 0; // None is a boundary, OddEdge is worse
   for (Index i = this->Start[point]; i < this->Start[point + 1]; ++i)
   {
-    const Index h = this->Spokes[i].HalfEdge;
+    const Index h = this->Spokes[i];
     least = least == None ? h : std::min(least, h);
     alone = this->TwinOf[h] < 0 ? std::max(alone, h) : alone;
     worst = std::min({ worst, this->TwinOf[h], this->TwinOf[HalfEdgeMesh::Previous(h)] });

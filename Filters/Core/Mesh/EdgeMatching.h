@@ -6,13 +6,14 @@
  *
  * Half-edge 4 f + k runs from corner k of triangle f to the next corner; 4 f + 3 does not exist.
  *
- *     sort the half-edges by their origin               counting sort, about six at each point
- *     for each point:                                   each of its triangles has an outgoing and an incoming half-edge
- *       to each neighbor one of each: twins               found in one step by marks
- *       otherwise, for each of its edges:                 one half-edge: boundary; one each way: twins; else odd
- *     for each point: walk from twin to twin            visits all its triangles: one fan
+ *     sort the half-edges by origin           counting sort, about six at each point
+ *     for each point:                         each triangle has one outgoing and one incoming
+ *       to each neighbor one of each: twins     found in one step by marks
+ *       otherwise, for each of its edges:       one: boundary; one each way: twins; else odd
+ *     for each point: walk from twin to twin  visits all its triangles: one fan
  *
- * Work is divided into blocks of points and of triangles; the result does not depend on the number of threads.
+ * Work is divided into blocks of points and of triangles; the result does not
+ * depend on the number of threads.
  */
 #ifndef BoneDecimate_Core_Mesh_EdgeMatching_h
 #define BoneDecimate_Core_Mesh_EdgeMatching_h
@@ -31,9 +32,9 @@ constexpr Index OddEdge = -2;
 struct EdgeCounts
 {
   std::int64_t Edges = 0;
-  std::int64_t Boundary = 0;    ///< Of exactly one triangle.
-  std::int64_t NonManifold = 0; ///< Of three or more triangles.
-  std::int64_t HalfPairs = 0;   ///< Number of half-edges with a twin.
+  std::int64_t Boundary = 0;    ///< Edges of exactly one triangle.
+  std::int64_t NonManifold = 0; ///< Edges of three or more triangles.
+  std::int64_t HalfPairs = 0;   ///< Number of half-edges with a twin; fewer after CutBetween.
 
   EdgeCounts& operator+=(const EdgeCounts& other)
   {
@@ -48,11 +49,14 @@ struct EdgeCounts
 /// The triangles around each point.
 struct Rings
 {
-  /// For each point the half-edge at which its ring starts: the greatest without a twin, else the least. None if unused.
+  /// For each point the half-edge at which its ring starts: the greatest without a twin,
+  /// else the least. None if unused.
   LargeArray<Index> Outgoing;
   /// For each point: NonManifold if one of its edges is odd or its triangles are not one fan.
   LargeArray<VertexConstraint> Constraints;
 };
+/// Ascending.
+std::vector<Index> NonManifoldPoints(const Rings& rings);
 
 class EdgeMatching
 {
@@ -61,24 +65,24 @@ public:
   EdgeMatching(const std::vector<Triangle>& triangles, std::size_t numberOfPoints, int threads = 1);
   EdgeMatching(std::vector<Triangle>&&, std::size_t, int = 1) = delete;
 
+  /// Again, after the triangles have changed.
+  void Match(std::size_t numberOfPoints);
+
   /// For half-edge 4 f + k its twin; None on a boundary, OddEdge if the twin is ambiguous.
   const LargeArray<Index>& Twins() const { return this->TwinOf; }
 
   EdgeCounts CountEdges() const;
 
-  /// Makes edges between triangles of different labels odd.  @param labels For each triangle.
+  /// The half-edges that leave the point, ascending.
+  std::vector<Index> OutgoingAt(Index point) const;
+
+  /// Makes edges between triangles of different labels odd.  @param labels For each triangle. Empty: no labels.
   void CutBetween(const std::vector<Index>& labels);
 
   /// Corners of a triangle must differ.
   Rings FindRings() const;
 
 private:
-  /// A half-edge in the list of its origin.
-  struct Spoke
-  {
-    Index Target;
-    Index HalfEdge;
-  };
   /// The half-edges from one point to another.
   struct Bundle
   {
@@ -95,13 +99,14 @@ private:
   Bundle Between(Index from, Index to) const;
   void CountEdgesOf(Index triangle, EdgeCounts& counts) const;
   Index CountOnEdge(Index a, Index b) const;
-  bool IsFirstOnEdge(Index origin, const Spoke& spoke) const;
+  bool IsFirstOnEdge(Index origin, Index halfEdge) const;
+  Index TargetOf(Index halfEdge) const;
   void FindRing(Index point, Rings& rings) const;
 
   const std::vector<Triangle>& Triangles;
   int Threads;
   LargeArray<Index> Start;  // for each point its first spoke, and finally the end
-  LargeArray<Spoke> Spokes; // by origin; if there are many at a point, also by target
+  LargeArray<Index> Spokes; // half-edges by origin; if there are many at a point, also by target
   LargeArray<Index> TwinOf;
 };
 }

@@ -56,7 +56,7 @@ bool EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
     {
       last = HalfEdgeMesh::Next(out); // continue at the other end of the edge
     }
-    else if (this->Corners.size() == MostFacesOfEdit)
+    else if (this->Corners.size() == MaxFacesOfEdit)
     {
       return false;
     }
@@ -78,12 +78,13 @@ bool EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 }
 
 //------------------------------------------------------------------------------
-/// Of its faces at most two are removed, and one is added at least if it has a closed ring.
+/// Whether an edit could change too many faces at the vertex. A collapse removes at most two of
+/// them and adds at least one if it has a closed ring.
 bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex)
 {
   Index faces = 0;
-  mesh.VisitNeighbors(vertex, [&](HalfEdgeId, Index) { return ++faces <= MostFacesOfEdit + 2; });
-  return faces > MostFacesOfEdit + 2;
+  mesh.VisitNeighbors(vertex, [&](HalfEdgeId, Index) { return ++faces <= MaxFacesOfEdit + 2; });
+  return faces > MaxFacesOfEdit + 2;
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Edit.h
- * @brief A proposed change of the mesh: an edge collapse, an edge flip, a vertex move, or an edge split.
+ * @brief A proposed change of the mesh: an edge collapse, an edge flip, a
+ * vertex move, or an edge split.
  */
 #ifndef BoneDecimate_Core_Mesh_Edit_h
 #define BoneDecimate_Core_Mesh_Edit_h
@@ -10,12 +11,14 @@
 #include "Handles.h"
 
 #include <array>
+#include <vector>
 
 namespace bonedecimate
 {
-/// Faces at the vertex that a collapse merges or a move moves, at most. Vertices with more wait until collapses around them have
-/// removed some, so that no edit costs more the more faces a vertex has.
-constexpr Index MostFacesOfEdit = 128;
+/// Faces at the vertex that a collapse merges or a move moves, at most. Vertices with
+/// more wait until collapses around them have removed some, so that no edit costs
+/// more the more faces a vertex has.
+constexpr Index MaxFacesOfEdit = 128;
 
 enum class EditKind : std::uint8_t
 {
@@ -30,11 +33,17 @@ struct Edit
   HalfEdgeId Edge; ///< The half-edge to collapse, flip or split.
   VertexId Keep;   ///< The end whose id is kept, or the vertex that moves or is made.
   Vector3 Position =
-    Vector3::Zero();      ///< Of the merged, moved or new vertex, mm from the local origin.
+    Vector3::Zero();      ///< Where the merged, moved or new vertex is, mm from the local origin.
   bool KeepStays = false; ///< Whether Position is that of Keep, bit for bit.
   EditKind Kind = EditKind::Collapse;
-  std::array<FaceId, 2>
-    Made = {}; ///< Of a split: the faces that it makes; the second None on a boundary.
+  std::array<FaceId, 2> Made = {}; ///< The faces that a split makes; the second None on a boundary.
+};
+
+/// The edge between two vertices, which is flipped together with an edit.
+struct EdgeFlip
+{
+  VertexId From;
+  VertexId To;
 };
 
 /// A vertex that moves together with an edit.
@@ -42,6 +51,13 @@ struct VertexMove
 {
   VertexId Vertex;
   Vector3 Position; ///< mm from the local origin
+};
+
+/// What belongs to a collapse and is done after it, in this order.
+struct NearbyEdits
+{
+  std::vector<VertexMove> Moves;
+  std::vector<EdgeFlip> Flips;
 };
 }
 

@@ -17,7 +17,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the word with the area and z of a face's original normal: the upper half of a positive float, so never None.
+/// The bits of the area in the word that also has z of a face's original normal: the upper half of
+/// a positive float, so never None.
 constexpr std::uint32_t AreaBits = 0xFFFF0000U;
 
 /// Mean length of one edge of each triangle, mm.
@@ -39,21 +40,21 @@ double MeanLength(const Surface& surface, int threads)
 }
 }
 
-HalfEdgeMesh::HalfEdgeMesh(
-  const Surface& surface, int threads, const PatchMap& patches, const std::vector<Index>& labels)
+HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, int threads, const PatchMap& patches)
+{
+  const EdgeMatching edges(surface.Triangles, surface.Points.size(), threads);
+  *this = HalfEdgeMesh(surface, edges, edges.FindRings(), threads, patches);
+}
+
+//------------------------------------------------------------------------------
+HalfEdgeMesh::HalfEdgeMesh(const Surface& surface, const EdgeMatching& edges, Rings rings,
+  int threads, const PatchMap& patches)
   : Vertices(surface.Points.size())
   , Faces(surface.Triangles.size())
   , LiveFaces(static_cast<Index>(surface.Triangles.size()))
   , Length(MeanLength(surface, threads))
   , LengthUnit(std::ldexp(1.0, std::ilogb(this->Length)))
 {
-  EdgeMatching edges(surface.Triangles, surface.Points.size(), threads);
-  this->Counts = edges.CountEdges();
-  if (!labels.empty())
-  {
-    edges.CutBetween(labels);
-  }
-  Rings rings = edges.FindRings();
   this->Constraints = std::move(rings.Constraints);
   ForEachId(surface.Points.size(), threads,
     [&](std::size_t v) {
@@ -68,7 +69,11 @@ HalfEdgeMesh::HalfEdgeMesh(
       this->Faces[f].Twins = { std::max(None, twins[0]), std::max(None, twins[1]),
         std::max(None, twins[2]), None }; // odd edges have no twin
     });
-  if (!patches.OriginalVertices.empty())
+  if (patches.OriginalVertices.empty())
+  {
+    this->Counts = edges.CountEdges();
+  }
+  else
   {
     this->LinkDuplicates(patches);
   }
@@ -156,6 +161,31 @@ void HalfEdgeMesh::Pair(HalfEdgeId h, HalfEdgeId twin)
 }
 
 //------------------------------------------------------------------------------
+void HalfEdgeMesh::Save(FaceId face, Saved& saved) const
+{
+  saved.Faces.emplace_back(face, this->Faces[face]);
+  for (Index corner = 0; corner < 3; ++corner)
+  {
+    const HalfEdgeId h = HalfEdge(face, corner);
+    saved.Vertices.emplace_back(this->Origin(h), this->Vertices[this->Origin(h)]);
+    if (this->Twin(h) != None)
+    {
+      saved.Faces.emplace_back(Face(this->Twin(h)), this->Faces[Face(this->Twin(h))]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The last first: what was saved twice was as at first the first time.
+void HalfEdgeMesh::Restore(const Saved& saved)
+{
+  std::for_each(saved.Faces.rbegin(), saved.Faces.rend(),
+    [this](const auto& face) { this->Faces[face.first] = face.second; });
+  std::for_each(saved.Vertices.rbegin(), saved.Vertices.rend(),
+    [this](const auto& vertex) { this->Vertices[vertex.first] = vertex.second; });
+}
+
+//------------------------------------------------------------------------------
 /// Replaces faces a b c and b a d by a d c and b c d, each in its old slot.
 void HalfEdgeMesh::Flip(HalfEdgeId h)
 {
@@ -236,7 +266,8 @@ void HalfEdgeMesh::Split(const Edit& edit)
 }
 
 //------------------------------------------------------------------------------
-/// Removes the face of h and merges its other two edges. The first normal stays, for an edit that is undone.
+/// Removes the face of h and merges its other two edges. The first normal
+/// stays, for an edit that is undone.
 void HalfEdgeMesh::RemoveFace(HalfEdgeId h)
 {
   const HalfEdgeId alongNext = this->Twin(Next(h));

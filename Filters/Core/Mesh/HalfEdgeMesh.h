@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file HalfEdgeMesh.h
- * @brief A triangle mesh as half-edges in flat arrays, with constrained vertices where it is not manifold.
+ * @brief A triangle mesh as half-edges in flat arrays, with constrained
+ * vertices where it is not manifold.
  *
- * Half-edge h = 4 f + k, k = 0, 1, 2, runs from corner k of face f to the next corner, the face on its left:
+ * Half-edge h = 4 f + k, k = 0, 1, 2, runs from corner k of face f to the
+ * next corner, the face on its left:
  *
  *              apex
  *             /    \            Next(h), Previous(h): the other two in the face
@@ -12,11 +14,12 @@
  *           /   f    \          Outgoing(v): the half-edge at which the ring of v starts
  *     Origin ---h---> Target      counter-clockwise; at a boundary vertex the one without a twin
  *
- * Invariants (checked by Invariants.h): twins refer to each other and have opposite directions; a face is alive or its
- * corners are None; the ring of a vertex that is not NonManifold is one fan with all its faces. VertexConstraint.h says what
- * edits may do to a vertex.
+ * Invariants (checked by Invariants.h): twins refer to each other and have opposite directions; a
+ * face is alive or its corners are None; the ring of a vertex that is not NonManifold is one fan
+ * with all its faces. VertexConstraint.h says what edits may do to a vertex.
  *
- * A face record is half a cache line, a vertex record is one: an edge is evaluated from the records of its ends.
+ * A face record is half a cache line, a vertex record is one: an edge is
+ * evaluated from the records of its ends.
  */
 #ifndef BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
@@ -30,6 +33,8 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -39,12 +44,13 @@ struct EdgeNeighborhood;
 /// The splitting of a surface into manifold patches, see ManifoldPatches.h.
 struct PatchMap
 {
-  std::vector<Index>
-    OriginalVertices; ///< For each point the original vertex of all its duplicates. Empty: nothing was split.
+  /// For each point the original vertex of all its duplicates. Empty: nothing was split.
+  std::vector<Index> OriginalVertices;
   EdgeCounts Edges; ///< Before splitting.
 };
 
-/// Sums over the triangles at a vertex, with area A and unit normal n; all their planes pass through the vertex.
+/// Sums over the triangles at a vertex, with area A and unit normal n; all their
+/// planes pass through the vertex.
 struct RingQuadric
 {
   std::array<float, 6>
@@ -72,9 +78,10 @@ class HalfEdgeMesh
 {
 public:
   /// Every point must be used by a triangle, corners of a triangle must differ.
-  /// @param labels Of each triangle: edges between different ones are odd, and ManifoldPatches.h splits them. Empty: no labels.
-  explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const PatchMap& patches = {},
-    const std::vector<Index>& labels = {});
+  explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const PatchMap& patches = {});
+  /// @param edges Of these triangles.  @param rings Of the edges.
+  HalfEdgeMesh(const Surface& surface, const EdgeMatching& edges, Rings rings, int threads,
+    const PatchMap& patches = {});
 
   // From the bits of the corner: branches would be mispredicted.
   static HalfEdgeId Next(HalfEdgeId h) { return h + 1 - 3 * (h >> 1 & 1); }
@@ -104,13 +111,14 @@ public:
     return { corners[0], corners[1], corners[2] };
   }
 
-  /// A face of more than this many times its original area replaces so many faces that its own original normal says nothing
-  /// about them any more.
+  /// A face of more than this many times its original area replaces so many faces that its own
+  /// original normal says nothing about them any more.
   static constexpr double GrowthOfFreeFace = 8.0;
 
   /**
-   * Whether a face with that area vector would point away from its original normal. False if the face was never changed and
-   * has no stored normal, and for an area of more than GrowthOfFreeFace times the original one.
+   * Whether a face with that area vector would point away from its original normal. False if the
+   * face was never changed and has no stored normal, and for an area of more than
+   * GrowthOfFreeFace times the original one.
    * @param area Along the normal, mm^2.
    */
   bool IsTurnedOver(FaceId face, const Vector3& area) const
@@ -152,11 +160,13 @@ public:
   /// The largest power of two not above that length, mm.
   double Unit() const { return this->LengthUnit; }
 
-  /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be NonManifold.
+  /// The half-edges that leave v, counter-clockwise, one for each of its
+  /// faces. v must not be NonManifold.
   class OutgoingRange;
   OutgoingRange OutgoingOf(VertexId v) const;
 
-  /// Calls visit(h) for a half-edge of every edge at v, in ring order: outgoing ones and, on a boundary, finally an incoming one.
+  /// Calls visit(h) for a half-edge of every edge at v, in ring order: outgoing ones and, on a
+  /// boundary, finally an incoming one.
   template <typename Visit>
   void VisitEdges(VertexId v, Visit visit) const
   {
@@ -177,12 +187,15 @@ private:
 
   void LinkDuplicates(const PatchMap& patches);
 
-  /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller has checked that this is valid.
+  /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller
+  /// has checked that this is valid.
   void Collapse(const EdgeNeighborhood& around, VertexId keep, const Vector3& position);
-  /// Replaces the edge of h, which has two faces, by the edge between their apexes. The caller has checked that this is valid.
+  /// Replaces the edge of h, which has two faces, by the edge between their apexes. The caller
+  /// has checked that this is valid.
   void Flip(HalfEdgeId h);
-  /// Puts the vertex edit.Keep, which has no faces, on the edge. Each of its faces a b c keeps its id as a m c and gives the
-  /// rest, m b c, to one of edit.Made. The caller has checked that this is valid.
+  /// Puts the vertex edit.Keep, which has no faces, on the edge. Each of its faces a b c
+  /// keeps its id as a m c and gives the rest, m b c, to one of edit.Made. The caller
+  /// has checked that this is valid.
   void Split(const Edit& edit);
   /// @param h From a to b, of the face a b c.  @param vertex m.  @param made Becomes m b c.
   void SplitFace(HalfEdgeId h, VertexId vertex, FaceId made);
@@ -204,7 +217,8 @@ private:
     }
   }
   static void PackFirstNormal(FaceRecord& record, const Vector3& area);
-  /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees, and the area in 16, precise to 1 percent.
+  /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees, and the
+  /// area in 16, precise to 1 percent.
   Vector3 FirstNormal(FaceId face) const
   {
     const std::int32_t xy = this->Faces[face].Origins[3];
@@ -215,6 +229,14 @@ private:
   }
   /// The original area, mm^2.
   double FirstArea(FaceId face) const;
+  /// What edits of faces change, to undo them: the faces, those beside them and their corners.
+  struct Saved
+  {
+    std::vector<std::pair<FaceId, FaceRecord>> Faces;
+    std::vector<std::pair<VertexId, VertexRecord>> Vertices;
+  };
+  void Save(FaceId face, Saved& saved) const;
+  void Restore(const Saved& saved);
   /// To undo a collapse: the corners of each of its faces, then the twins of the removed ones. A removed face keeps its first
   /// normal.
   void RestoreCorners(FaceId face, const Triangle& corners)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LocalLengths.h
- * @brief The length that edges are to have at each vertex, kept with its position so that only moved vertices are looked up.
+ * @brief The length that edges are to have at each vertex, kept with its position so that
+ * only moved vertices are looked up.
  */
 #ifndef BoneDecimate_Core_Mesh_LocalLengths_h
 #define BoneDecimate_Core_Mesh_LocalLengths_h

@@ -12,86 +12,42 @@ namespace
 class Splitter
 {
 public:
-  Splitter(CleanSurface& clean, const HalfEdgeMesh& mesh)
+  Splitter(CleanSurface& clean, const EdgeMatching& edges, const Rings& rings)
     : Clean(clean)
-    , Mesh(mesh)
+    , Edges(edges)
+    , PointRings(rings)
   {
   }
 
   bool Run()
   {
-    this->FindPoints();
-    if (this->Points.empty())
+    const std::vector<Index> points = NonManifoldPoints(this->PointRings);
+    if (points.empty())
     {
       return false;
     }
-    this->GatherCorners();
-    this->IsCollected.assign(
-      static_cast<std::size_t>(HalfEdgeMesh::HalfEdge(this->Mesh.NumberOfFaceSlots(), 0)), false);
+    this->IsCollected.assign(this->Edges.Twins().size(), false);
     std::vector<Index>& originals = this->Clean.ManifoldPatches.OriginalVertices;
     originals.resize(this->Clean.Surface.Points.size());
     std::iota(originals.begin(), originals.end(), 0);
-    this->Clean.ManifoldPatches.Edges = this->Mesh.EdgesAtFirst();
-    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    this->Clean.ManifoldPatches.Edges = this->Edges.CountEdges();
+    for (const Index point : points)
     {
-      this->Split(this->Points[i], this->Corners.begin() + this->Starts[i],
-        this->Corners.begin() + this->Starts[i + 1]);
+      this->Split(point);
     }
     return true;
   }
 
 private:
-  /// Lists the NonManifold points.
-  void FindPoints()
-  {
-    this->Indices.assign(this->Clean.Surface.Points.size(), None);
-    for (VertexId v = 0; v < this->Mesh.NumberOfVertexSlots(); ++v)
-    {
-      if (this->Mesh.Constraint(v) == VertexConstraint::NonManifold)
-      {
-        this->Indices[v] = static_cast<Index>(this->Points.size());
-        this->Points.push_back(v);
-      }
-    }
-  }
-
-  /// Lists the outgoing half-edges of each of these points.
-  void GatherCorners()
-  {
-    this->Starts.assign(this->Points.size() + 1, 0);
-    const auto visitCorners = [this](const auto& visit)
-    {
-      for (FaceId face = 0; face < this->Mesh.NumberOfFaceSlots(); ++face)
-      {
-        for (Index k = 0; k < 3; ++k)
-        {
-          const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, k);
-          const Index index = this->Indices[this->Mesh.Origin(h)];
-          if (index != None)
-          {
-            visit(h, index);
-          }
-        }
-      }
-    };
-    visitCorners([this](Index, Index index) { ++this->Starts[index + 1]; });
-    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-    this->Corners.resize(static_cast<std::size_t>(this->Starts.back()));
-    std::vector<Index> next(this->Starts.begin(), this->Starts.end() - 1);
-    visitCorners([&](HalfEdgeId h, Index index) { this->Corners[next[index]++] = h; });
-  }
-
-  using Iterator = std::vector<Index>::iterator;
-
   /// Duplicates the point for each fan but the first.
-  void Split(Index point, Iterator first, Iterator last)
+  void Split(Index point)
   {
     bool isFirst = true;
-    for (; first != last; ++first)
+    for (const Index corner : this->Edges.OutgoingAt(point))
     {
-      if (!this->IsCollected[*first])
+      if (!this->IsCollected[corner])
       {
-        this->NameFan(*first, isFirst ? point : this->AddCopy(point));
+        this->NameFan(corner, isFirst ? point : this->AddCopy(point));
         isFirst = false;
       }
     }
@@ -100,24 +56,22 @@ private:
   /// Collects a fan from one corner in both directions around the point.
   void NameFan(Index corner, Index name)
   {
-    const auto isNew = [this](HalfEdgeId h) { return h != None && !this->IsCollected[h]; };
-    const auto give = [this, name](HalfEdgeId h)
+    const auto isNew = [this](Index h) { return h >= 0 && !this->IsCollected[h]; };
+    const LargeArray<Index>& twins = this->Edges.Twins();
+    const auto give = [this, name](Index h)
     {
       this->IsCollected[h] = true;
       this->Clean.Surface.Triangles[h >> 2][h & 3] = name;
     };
-    const auto before = [this](HalfEdgeId h) { return this->Mesh.Twin(HalfEdgeMesh::Previous(h)); };
-    const auto after = [this](HalfEdgeId h)
-    {
-      const HalfEdgeId twin = this->Mesh.Twin(h);
-      return twin == None ? HalfEdgeId() : HalfEdgeMesh::Next(twin);
-    };
+    const auto before = [&twins](Index h) { return twins[HalfEdgeMesh::Previous(h)]; };
+    const auto after = [&twins](Index h)
+    { return twins[h] < 0 ? None : Index(HalfEdgeMesh::Next(twins[h])); };
     give(corner);
-    for (HalfEdgeId h = before(corner); isNew(h); h = before(h))
+    for (Index h = before(corner); isNew(h); h = before(h))
     {
       give(h);
     }
-    for (HalfEdgeId h = after(corner); isNew(h); h = after(h))
+    for (Index h = after(corner); isNew(h); h = after(h))
     {
       give(h);
     }
@@ -134,18 +88,23 @@ private:
   }
 
   CleanSurface& Clean;
-  const HalfEdgeMesh& Mesh;
-  std::vector<Index> Indices; // for each point its index in Points; None: it is not split
-  std::vector<Index> Points;
-  std::vector<Index> Starts; // for each of Points its first corner
-  std::vector<Index> Corners;
+  const EdgeMatching& Edges;
+  const Rings& PointRings;
   std::vector<bool> IsCollected; // for each half-edge, whether its fan has been collected
 };
 }
 
-bool SplitIntoManifoldPatches(CleanSurface& clean, const HalfEdgeMesh& mesh)
+bool SplitIntoManifoldPatches(CleanSurface& clean, const EdgeMatching& edges, const Rings& rings)
 {
-  return Splitter(clean, mesh).Run();
+  return Splitter(clean, edges, rings).Run();
+}
+
+//------------------------------------------------------------------------------
+bool SplitIntoManifoldPatches(CleanSurface& clean, int threads, const std::vector<Index>& labels)
+{
+  EdgeMatching edges(clean.Surface.Triangles, clean.Surface.Points.size(), threads);
+  edges.CutBetween(labels);
+  return SplitIntoManifoldPatches(clean, edges, edges.FindRings());
 }
 
 //------------------------------------------------------------------------------

@@ -6,12 +6,14 @@
  *
  *     odd edge:  an edge of three or more triangles, of inconsistent orientation, or between labels
  *     each end of an odd edge, and each point where several fans meet:
- *         every fan of triangles gets a duplicate of the point; all duplicates refer to one original vertex and are stationary
+ *         every fan of triangles gets a duplicate of the point; all duplicates refer to one
+ *           original vertex and are stationary
  *
  * Duplicates are never moved or removed, so patches are joined by replacing each duplicate by its original vertex.
  * Decimate/Edit/PatchRules.h prevents two patches from getting further edges in common.
  *
- * A. Gueziec, G. Taubin, F. Lazarus, B. Horn, Cutting and stitching: converting sets of polygons to manifold surfaces, 2001.
+ * A. Gueziec, G. Taubin, F. Lazarus, B. Horn, Cutting and stitching: converting sets of
+ * polygons to manifold surfaces, 2001.
  */
 #ifndef BoneDecimate_Core_Mesh_ManifoldPatches_h
 #define BoneDecimate_Core_Mesh_ManifoldPatches_h
@@ -22,9 +24,12 @@
 namespace bonedecimate
 {
 /// Splits the surface and updates its maps. Duplicates are appended; each input point maps to the first of them.
-/// @param mesh Built from the surface.
-/// @return Whether anything was split: the mesh then has to be built again, with clean.ManifoldPatches.
-bool SplitIntoManifoldPatches(CleanSurface& clean, const HalfEdgeMesh& mesh);
+/// @param edges Of its triangles.
+/// @return Whether anything was split: its edges then have to be matched again.
+bool SplitIntoManifoldPatches(CleanSurface& clean, const EdgeMatching& edges, const Rings& rings);
+/// @param labels Of each triangle: edges between different ones are odd. Empty: no labels.
+bool SplitIntoManifoldPatches(
+  CleanSurface& clean, int threads = 1, const std::vector<Index>& labels = {});
 
 /// Number of points, duplicates not counted.
 std::int64_t NumberOfOriginalVertices(const CleanSurface& clean);

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PatchBoundaries.h
- * @brief The curves along which manifold patches meet, as chains of original vertices; inner vertices can be removed.
+ * @brief The curves along which manifold patches meet, as chains of original vertices;
+ * inner vertices can be removed.
  *
- *     inner vertex:   every duplicate lies on the boundary of its patch, and all have the same two neighbors along it
+ *     inner vertex:   every duplicate lies on the boundary of its patch, and all have
+ *                     the same two neighbors along it
  *     curve:          inner vertices between two ends that are not inner vertices
  *     closed curve:   starts and ends at its least vertex
  *
- * The vertices never move, so removed vertices keep their position in the order between two remaining ones.
+ * The vertices never move, so removed vertices keep their position in the
+ * order between two remaining ones.
  */
 #ifndef BoneDecimate_Core_Mesh_PatchBoundaries_h
 #define BoneDecimate_Core_Mesh_PatchBoundaries_h
@@ -21,7 +24,8 @@
 
 namespace bonedecimate
 {
-/// The original vertices next to v along the boundary of its patch, the lesser first; None if v is not on one.
+/// The original vertices next to v along the boundary of its patch, the lesser
+/// first; None if v is not on one.
 std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, VertexId v);
 
 /// Whether v is an inner vertex of a curve: it has the same two neighbors in every patch.
@@ -47,8 +51,9 @@ public:
     return this->Before(index) != None && this->After(index) != None;
   }
 
-  /// mm, the largest distance of this vertex, and of those removed next to it, to the edge that would replace its two edges.
-  /// Infinite if that edge would have no length, or if a distance exceeds `limitOf(vertex)`, mm.
+  /// mm, the largest distance of this vertex, and of those removed next to it, to the edge that
+  /// would replace its two edges. Infinite if that edge would have no length, or if a distance
+  /// exceeds `limitOf(vertex)`, mm.
   template <typename LimitOf>
   double Deviation(const HalfEdgeMesh& mesh, Index index, const LimitOf& limitOf) const;
 

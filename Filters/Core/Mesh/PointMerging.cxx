@@ -13,7 +13,7 @@ namespace bonedecimate
 namespace
 {
 constexpr std::size_t PointsOfPart = 4096;
-constexpr std::size_t MostParts = 1024;
+constexpr std::size_t MaxParts = 1024;
 
 /// Adds zero because -0 and +0 are equal and need equal hashes.
 std::uint32_t HashOf(const Vector3& p)
@@ -48,7 +48,7 @@ struct Parts
 std::size_t NumberOfParts(std::size_t points)
 {
   std::size_t parts = 1;
-  while (parts < MostParts && parts * PointsOfPart < points)
+  while (parts < MaxParts && parts * PointsOfPart < points)
   {
     parts *= 2;
   }
@@ -110,7 +110,8 @@ Parts Distribute(
   return result;
 }
 
-/// Open addressing, never more than half full; the index in the table comes from the last bits of the hash.
+/// Open addressing, never more than half full; the index in the table comes
+/// from the last bits of the hash.
 std::int64_t MergePart(const std::vector<Vector3>& points, const Entry* first, const Entry* last,
   std::vector<Entry>& table, LargeArray<Index>& representative)
 {

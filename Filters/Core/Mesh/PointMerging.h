@@ -18,8 +18,8 @@
 namespace bonedecimate
 {
 /**
- * @param representative In: for each point to be compared its own index, for others None. Out: the least point with the
- *   same coordinates.
+ * @param representative In: for each point to be compared its own index, for others None. Out: the
+ *   least point with the same coordinates.
  * @return Number of points represented by another one.
  */
 std::int64_t MergeEqualPoints(

@@ -7,8 +7,8 @@
  *     grid      to the nearest whole multiple of a step, for files that hold whole numbers
  *     single    to the nearest number of single precision
  *
- * What is proved is proved of rounded positions: edits move vertices to where they will be written, and the error bound keeps
- * what rounding takes of vertices that never move.
+ * What is proved is proved of rounded positions: edits move vertices to where they will be written,
+ * and the error bound keeps what rounding takes of vertices that never move.
  */
 #ifndef BoneDecimate_Core_Mesh_PointRounding_h
 #define BoneDecimate_Core_Mesh_PointRounding_h

@@ -4,8 +4,8 @@
  * @file Rejection.h
  * @brief Why an edit was rejected: the table of reasons.
  *
- * A new reason is an enumerator and a row here. Counts, report, summary, pages and the schema of the report follow
- * (Utilities/write_pages.py writes the schema).
+ * A new reason is an enumerator and a row here. Counts, report, summary, pages and the schema of
+ * the report follow (Utilities/write_pages.py writes the schema).
  */
 #ifndef BoneDecimate_Core_Mesh_Rejection_h
 #define BoneDecimate_Core_Mesh_Rejection_h

@@ -16,7 +16,7 @@ double ShapeLimits::LengthOf(const Vector3& a, const Vector3& b) const
 }
 
 //------------------------------------------------------------------------------
-double ShapeLimits::LeastOfLongest() const
+double ShapeLimits::MinOfLongest() const
 {
   return this->Local ? Longest * this->Local->Least() : this->LongestEdge();
 }

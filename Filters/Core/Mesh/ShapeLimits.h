@@ -18,26 +18,28 @@ class SizingField;
 /// Positions are relative to the local origin of the input.
 struct ShapeLimits
 {
-  double LargestCosine = 1.0;                    ///< That of the least angle; 1: any.
+  double MaxCosine = 1.0;                        ///< That of the least angle; 1: any.
   double EdgeLength = 0.0;                       ///< mm, that edges are to have, at most; 0: any.
   std::shared_ptr<const SizingField> Local = {}; ///< Where it is less; null: nowhere.
 
-  bool LimitsAngles() const { return this->LargestCosine < 1.0; }
+  bool LimitsAngles() const { return this->MaxCosine < 1.0; }
   bool LimitsEdges() const { return this->EdgeLength > 0.0; }
   bool IsAny() const { return !this->LimitsAngles() && !this->LimitsEdges(); }
 
   /// mm, that an edge with these ends is to have: the smaller one of those at its ends.
   double LengthOf(const Vector3& a, const Vector3& b) const;
 
-  /// Of the length: longer edges are split. The halves of a longer one differ less from the length than itself.
+  /// Edges longer than this multiple of the length are split. The halves of such an edge differ
+  /// less from the length than itself.
   static constexpr double Longest = 4.0 / 3.0;
-  /// Of the length: shorter edges are collapsed. Both are those of Botsch and Kobbelt (EdgeSizer.h).
+  /// Edges shorter than this fraction of the length are collapsed. Both are those of
+  /// Botsch and Kobbelt (EdgeSizer.h).
   static constexpr double Shortest = 0.8;
 
   /// mm; no longer edge may stay anywhere.
   double LongestEdge() const { return this->LimitsEdges() ? Longest * this->EdgeLength : Infinity; }
   /// mm; a shorter one may be split somewhere.
-  double LeastOfLongest() const;
+  double MinOfLongest() const;
   /// mm; no edge that is not shorter is collapsed anywhere.
   double ShortestEdge() const { return Shortest * this->EdgeLength; }
 };

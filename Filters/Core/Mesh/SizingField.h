@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SizingField.h
- * @brief The length that edges are to have at each position: that at the nearest point of a surface.
+ * @brief The length that edges are to have at each position: that at
+ * the nearest point of a surface.
  */
 #ifndef BoneDecimate_Core_Mesh_SizingField_h
 #define BoneDecimate_Core_Mesh_SizingField_h
@@ -38,7 +39,8 @@ private:
   double Shortest;             // mm
 };
 
-/// Shortens lengths so that along an edge of the graph none exceeds that of the other end by more than slope times the edge.
+/// Shortens lengths so that along an edge of the graph none exceeds that of the other end by
+/// more than slope times the edge.
 /// @param lengths mm, of each point.
 void GradeLengths(
   const Surface& surface, const PointGraph& graph, double slope, std::vector<double>& lengths);

@@ -13,10 +13,10 @@ namespace bonedecimate
 namespace
 {
 constexpr int BitsOfAxis = 21;
-/// Slightly less than 2^21 and no simple fraction of it, so that points in regular rows seldom lie on the boundary of two
-/// cells, where another unit of length would round them to the other side.
+/// Slightly less than 2^21 and no simple fraction of it, so that points in regular rows seldom lie
+/// on the boundary of two cells, where another unit of length would round them to the other side.
 constexpr double CellsAcross = 2038437.618033988;
-constexpr double LeastLength =
+constexpr double MinLength =
   1e-290; // mm; the number of cells per mm would overflow for smaller boxes
 constexpr int BitsOfDigit = 11;
 constexpr std::size_t Digits = std::size_t(1) << BitsOfDigit;
@@ -64,7 +64,7 @@ public:
       this->Low = this->Low.cwiseMin(box.Low);
       high = high.cwiseMax(box.High);
     }
-    this->Scale = CellsAcross / std::max(LeastLength, (high - this->Low).maxCoeff());
+    this->Scale = CellsAcross / std::max(MinLength, (high - this->Low).maxCoeff());
   }
 
   /// Position on the curve, 63 bits.
@@ -93,7 +93,8 @@ private:
   double Scale = 1.0; // cells per mm
 };
 
-/// Entries with the first 33 bits of the position on the curve and the index of the point, sorted by three digits.
+/// Entries with the first 33 bits of the position on the curve and the index of the
+/// point, sorted by three digits.
 using CurveEntry = std::uint64_t;
 
 Index PointOf(CurveEntry entry)
@@ -166,7 +167,8 @@ void SortTies(const Curve& curve, CurveEntry* entries, std::size_t count)
   }
 }
 
-/// For each new index the old one; triangles are sorted by the new indices of their corners from the least on.
+/// For each new index the old one; triangles are sorted by the new indices of
+/// their corners from the least on.
 std::vector<Index> OrderByLeastPoint(
   const std::vector<Triangle>& triangles, std::size_t numberOfPoints)
 {
@@ -185,17 +187,25 @@ std::vector<Index> OrderByLeastPoint(
     const Triangle& c = triangles[t];
     order[start[std::min({ c[0], c[1], c[2] })]++] = static_cast<Index>(t);
   }
-  const auto fromLeast = [&](Index t)
-  {
-    Triangle c = triangles[t];
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    return c;
-  };
   for (std::size_t p = 0; p < numberOfPoints; ++p) // each start is now the end of its point
   {
-    std::sort(order.begin() + (p == 0 ? 0 : start[p - 1]), order.begin() + start[p],
+    const auto fromLeast = [&](Index t) // the other corners
+    {
+      const Triangle& c = triangles[t];
+      const std::size_t k = c[0] == static_cast<Index>(p) ? 0
+        : c[1] == static_cast<Index>(p)                   ? 1
+                                                          : 2;
+      const auto second = static_cast<std::uint64_t>(c[(k + 1) % 3]);
+      return second << 32U | static_cast<std::uint64_t>(c[(k + 2) % 3]);
+    };
+    const auto first = order.begin() + (p == 0 ? 0 : start[p - 1]);
+    std::sort(first, order.begin() + start[p],
       [&](Index a, Index b)
-      { return std::make_pair(fromLeast(a), a) < std::make_pair(fromLeast(b), b); });
+      {
+        const std::uint64_t ofA = fromLeast(a);
+        const std::uint64_t ofB = fromLeast(b);
+        return ofA != ofB ? ofA < ofB : a < b;
+      });
   }
   return order;
 }
@@ -247,9 +257,40 @@ std::vector<Index> CurveOrder(const std::vector<Vector3>& points, int threads)
   return order;
 }
 
+namespace
+{
+/// The same of sorted points with duplicates at the end, by ascending original.
+std::vector<Index> OrderWithDuplicates(
+  const std::vector<Vector3>& points, const std::vector<Index>& originals)
+{
+  const auto count = static_cast<Index>(points.size());
+  Index end = count;
+  while (end > 0 && originals[end - 1] != end - 1)
+  {
+    --end;
+  }
+  Index duplicate = end;
+  std::vector<Index> order;
+  order.reserve(points.size());
+  for (Index p = 0; p < end; ++p)
+  {
+    order.push_back(p);
+    const bool isLastThere = p + 1 == end || points[p] != points[p + 1];
+    for (; isLastThere && duplicate < count && originals[duplicate] <= p; ++duplicate)
+    {
+      order.push_back(duplicate);
+    }
+  }
+  return order;
+}
+}
+
 void SortAlongCurve(CleanSurface& clean, int threads)
 {
-  const std::vector<Index> order = CurveOrder(clean.Surface.Points, threads);
+  const std::vector<Index>& originals = clean.ManifoldPatches.OriginalVertices;
+  const std::vector<Index> order = originals.empty()
+    ? CurveOrder(clean.Surface.Points, threads)
+    : OrderWithDuplicates(clean.Surface.Points, originals);
   Permute(clean.Surface.Points, order, threads);
   Permute(clean.InputPoint, order, threads);
   Permute(clean.InputPointCount, order, threads);

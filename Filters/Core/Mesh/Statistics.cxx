@@ -11,7 +11,7 @@
 
 namespace bonedecimate
 {
-Components FindComponents(const Surface& surface)
+Components FindComponents(const Surface& surface, const std::vector<Index>& originals)
 {
   DisjointSets<Index> sets(surface.Points.size());
   std::vector<char> used(surface.Points.size(), 0);
@@ -20,6 +20,10 @@ Components FindComponents(const Surface& surface)
     sets.Join(c[0], c[1]);
     sets.Join(c[0], c[2]);
     used[c[0]] = used[c[1]] = used[c[2]] = 1;
+  }
+  for (std::size_t p = 0; p < originals.size(); ++p)
+  {
+    sets.Join(static_cast<Index>(p), originals[p]);
   }
   Components components;
   components.OfPoint.assign(surface.Points.size(), None);

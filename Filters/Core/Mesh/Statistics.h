@@ -27,13 +27,15 @@ struct SurfaceCounts
 };
 SurfaceStatistics Describe(const Surface& surface, const SurfaceCounts& counts, int threads);
 
-/// The components, numbered in the order of their least point; None for points that no triangle uses.
+/// The components, numbered in the order of their least point; None
+/// for points that no triangle uses.
 struct Components
 {
   std::vector<Index> OfPoint;
   Index Count = 0;
 };
-Components FindComponents(const Surface& surface);
+/// @param originals Of each point another one, not after it, that is joined with it. Empty: none.
+Components FindComponents(const Surface& surface, const std::vector<Index>& originals = {});
 }
 
 #endif

@@ -42,7 +42,8 @@ std::vector<Triangle> LiveTriangles(
 std::vector<Index> NumberVertices(
   std::size_t vertexSlots, std::vector<Triangle>& triangles, int threads);
 
-/// Position of the vertex in the output, mm, rounded; without a rounding copied from the input bit for bit if it never moved.
+/// Position of the vertex in the output, mm, rounded; without a rounding copied from the input
+/// bit for bit if it never moved.
 /// @param local Current position, mm from the local origin.
 Vector3 OutputPosition(const Surface& input, const CleanSurface& clean, VertexId vertex,
   const Vector3& local, const PointRounding& rounding);

@@ -24,9 +24,9 @@ constexpr std::array<double, 6> EndsOfBins = { 0.984807753012208, 0.939692620785
 struct Shapes
 {
   std::array<std::int64_t, 6> Bins{};
-  double LargestCosine = -1.0; // of smallest angles
-  double LeastCosine = 1.0;    // of largest angles
-  double RadiusRatio = 0.0;    // sums
+  double MaxCosine = -1.0;  // of smallest angles
+  double MinCosine = 1.0;   // of largest angles
+  double RadiusRatio = 0.0; // sums
   double AspectRatio = 0.0;
   double WorstRadiusRatio = 0.0;
   double WorstAspectRatio = 0.0;
@@ -38,8 +38,8 @@ struct Shapes
     {
       this->Bins[i] += other.Bins[i];
     }
-    this->LargestCosine = std::max(this->LargestCosine, other.LargestCosine);
-    this->LeastCosine = std::min(this->LeastCosine, other.LeastCosine);
+    this->MaxCosine = std::max(this->MaxCosine, other.MaxCosine);
+    this->MinCosine = std::min(this->MinCosine, other.MinCosine);
     this->RadiusRatio += other.RadiusRatio;
     this->AspectRatio += other.AspectRatio;
     this->WorstRadiusRatio = std::max(this->WorstRadiusRatio, other.WorstRadiusRatio);
@@ -52,23 +52,24 @@ struct Shapes
 void Add(const Vector3& a, const Vector3& b, const Vector3& c, Shapes& shapes)
 {
   const double cosine = CosineOfSmallestAngle(a, b, c);
-  const auto bin = std::find_if(
-    EndsOfBins.begin(), EndsOfBins.end(), [cosine](double end) { return cosine > end; });
-  ++shapes.Bins[static_cast<std::size_t>(bin - EndsOfBins.begin())];
-  shapes.LargestCosine = std::max(shapes.LargestCosine, cosine);
+  std::size_t bin = 0; // without branches, which would be mispredicted
+  for (std::size_t i = 0; i + 1 < EndsOfBins.size(); ++i)
+  {
+    bin += cosine > EndsOfBins[i] ? 0 : 1;
+  }
+  ++shapes.Bins[bin];
+  shapes.MaxCosine = std::max(shapes.MaxCosine, cosine);
   const double area = AreaVector(a, b, c).norm();
   if (!(area > 0.0))
   {
     return;
   }
-  std::array<double, 3> squares = { (b - a).squaredNorm(), (c - b).squaredNorm(),
-    (a - c).squaredNorm() };
-  std::sort(squares.begin(), squares.end());
+  const std::array<double, 3> squares = SortedSquares(a, b, c);
   const double shortest = std::sqrt(squares[0]);
   const double middle = std::sqrt(squares[1]);
   const double longest = std::sqrt(squares[2]);
-  shapes.LeastCosine = std::min(
-    shapes.LeastCosine, (squares[0] + squares[1] - squares[2]) / (2.0 * shortest * middle));
+  shapes.MinCosine =
+    std::min(shapes.MinCosine, (squares[0] + squares[1] - squares[2]) / (2.0 * shortest * middle));
   const double perimeter = shortest + middle + longest;
   const double radiusRatio = shortest * middle * longest * perimeter / (16.0 * area * area);
   const double aspectRatio = longest * perimeter / (4.0 * std::sqrt(3.0) * area);
@@ -89,7 +90,7 @@ double Degrees(double cosine)
 std::int64_t CountOf(const ShapeStatistics& shapes)
 {
   std::int64_t count = 0;
-  for (const std::int64_t bin : shapes.SmallestAngles)
+  for (const std::int64_t bin : shapes.MinAngles)
   {
     count += bin;
   }
@@ -127,16 +128,16 @@ ShapeStatistics DescribeShapes(const Surface& surface, int threads)
       return part;
     });
   ShapeStatistics statistics;
-  statistics.SmallestAngles = shapes.Bins;
+  statistics.MinAngles = shapes.Bins;
   if (shapes.WithArea > 0)
   {
     const double count = static_cast<double>(shapes.WithArea);
-    statistics.SmallestAngle = Degrees(shapes.LargestCosine);
-    statistics.LargestAngle = Degrees(shapes.LeastCosine);
+    statistics.SmallestAngle = Degrees(shapes.MaxCosine);
+    statistics.MaxAngle = Degrees(shapes.MinCosine);
     statistics.MeanRadiusRatio = shapes.RadiusRatio / count;
-    statistics.LargestRadiusRatio = shapes.WorstRadiusRatio;
+    statistics.MaxRadiusRatio = shapes.WorstRadiusRatio;
     statistics.MeanAspectRatio = shapes.AspectRatio / count;
-    statistics.LargestAspectRatio = shapes.WorstAspectRatio;
+    statistics.MaxAspectRatio = shapes.WorstAspectRatio;
   }
   return statistics;
 }
@@ -153,14 +154,14 @@ void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum)
   }
   const auto mean = [&](double a, double b) { return (before * a + added * b) / (before + added); };
   sum.SmallestAngle = std::min(sum.SmallestAngle, other.SmallestAngle);
-  sum.LargestAngle = std::max(sum.LargestAngle, other.LargestAngle);
+  sum.MaxAngle = std::max(sum.MaxAngle, other.MaxAngle);
   sum.MeanRadiusRatio = mean(sum.MeanRadiusRatio, other.MeanRadiusRatio);
-  sum.LargestRadiusRatio = std::max(sum.LargestRadiusRatio, other.LargestRadiusRatio);
+  sum.MaxRadiusRatio = std::max(sum.MaxRadiusRatio, other.MaxRadiusRatio);
   sum.MeanAspectRatio = mean(sum.MeanAspectRatio, other.MeanAspectRatio);
-  sum.LargestAspectRatio = std::max(sum.LargestAspectRatio, other.LargestAspectRatio);
-  for (std::size_t i = 0; i < sum.SmallestAngles.size(); ++i)
+  sum.MaxAspectRatio = std::max(sum.MaxAspectRatio, other.MaxAspectRatio);
+  for (std::size_t i = 0; i < sum.MinAngles.size(); ++i)
   {
-    sum.SmallestAngles[i] += other.SmallestAngles[i];
+    sum.MinAngles[i] += other.MinAngles[i];
   }
 }
 
@@ -216,7 +217,7 @@ EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits, const V
   {
     found.Mean = sum / static_cast<double>(edges.size());
     found.Longest = longest;
-    found.LeastRequested = limits.LeastOfLongest() / ShapeLimits::Longest;
+    found.MinRequested = limits.MinOfLongest() / ShapeLimits::Longest;
   }
   return found;
 }

@@ -4,15 +4,16 @@
  * @file VertexConstraint.h
  * @brief What edits may do to a vertex: one value per vertex, and predicates for its meaning.
  *
- *                          may move             may be removed   may be collapsed onto   ring
- *     Free                 anywhere             yes              yes                     closed
- *     Boundary             along the boundary   yes              yes                     open
- *     Stationary           no                   no               yes                     closed
- *     StationaryBoundary   no                   no               yes                     open
- *     NonManifold          no                   no               no                      not one fan: never walked
- *     Constrained          no                   no               no                      closed or open
+ *                          may move             may be removed   collapsed onto   ring
+ *     Free                 anywhere             yes              yes              closed
+ *     Boundary             along the boundary   yes              yes              open
+ *     Stationary           no                   no               yes              closed
+ *     StationaryBoundary   no                   no               yes              open
+ *     NonManifold          no                   no               no               several fans
+ *     Constrained          no                   no               no               closed or open
  *
- * Stationary vertices of a feature curve may be removed with the same edge in all manifold patches (Editor::CollapseTogether).
+ * Stationary vertices of a feature curve may be removed with the same edge in all manifold
+ * patches (Editor::CollapseTogether).
  */
 #ifndef BoneDecimate_Core_Mesh_VertexConstraint_h
 #define BoneDecimate_Core_Mesh_VertexConstraint_h
@@ -32,7 +33,8 @@ enum class VertexConstraint : std::uint8_t
   Constrained         ///< Has a tolerance of 0, or is a corner of a face with such a vertex.
 };
 
-/// It never moves, is never removed, and nothing is collapsed onto it. No edit changes a face with three such corners.
+/// It never moves, is never removed, and nothing is collapsed onto it. No edit changes
+/// a face with three such corners.
 constexpr bool IsConstrained(VertexConstraint constraint)
 {
   return constraint == VertexConstraint::NonManifold || constraint == VertexConstraint::Constrained;
@@ -58,15 +60,15 @@ constexpr bool MovesFreely(VertexConstraint constraint)
   return constraint == VertexConstraint::Free;
 }
 
-/// Of two ends of an edge that may be collapsed: whether the merged vertex takes the position of the first. If neither end
-/// outranks the other, it moves as both of them may.
+/// Whether the merged vertex of an edge that may be collapsed takes the position of the first end.
+/// If neither end outranks the other, it moves as both of them may.
 constexpr bool Outranks(VertexConstraint first, VertexConstraint second)
 {
   return first > second;
 }
 
-/// Whether the collapse of an edge would move a vertex off the boundary or the feature curve that it lies on, or would pinch
-/// the surface: the edge is interior and neither end moves freely.
+/// Whether the collapse of an edge would move a vertex off the boundary or the feature curve that
+/// it lies on, or would pinch the surface: the edge is interior and neither end moves freely.
 constexpr bool LeavesBoundary(VertexConstraint first, VertexConstraint second, bool isBoundaryEdge)
 {
   return !isBoundaryEdge && !MovesFreely(first) && !MovesFreely(second);

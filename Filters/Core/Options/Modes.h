@@ -83,7 +83,7 @@ enum class ErrorPolicy
 struct SweepSettings
 {
   double SpikeWeight =
-    0.3; ///< Of Decimate/Cost/SpikePenalty.h: more gives a larger mean error and a smaller maximum.
+    0.3; ///< Weight of Decimate/Cost/SpikePenalty.h: more gives a larger mean error and a smaller maximum.
   /// Positions tried for a merged vertex where edits are proved, at most MaximumPositions of
   /// Decimate/Placement/AlternatePositions.h: more of them give fewer triangles and take longer.
   int PositionsTried = 4;
@@ -107,7 +107,7 @@ struct RefineSettings
   int ForcedRounds = 0;      ///< Most rounds of collapses that need moves around them, and a sweep.
   int ProvedSweepsAfter = 0; ///< Sweeps of flips and moves after them.
   double ShapeWeight =
-    0.0; ///< Of Decimate/Cost/SampledErrorCost.h, where nothing but a number of triangles ends the run.
+    0.0; ///< Weight in Decimate/Cost/SampledErrorCost.h, where nothing but a number of triangles ends the run.
   int VoxelRounds = 0; ///< How often sweeps and collapses alternate where voxels alone limit edits.
 };
 
@@ -125,8 +125,8 @@ struct Stage
 struct ModeText
 {
   const char* Use;
-  const char* Order;      ///< Of the collapses.
-  const char* Position;   ///< Of the new vertex.
+  const char* Order;      ///< Order of the collapses.
+  const char* Position;   ///< Position of the new vertex.
   const char* Refinement; ///< What moves and flips after the collapses.
 };
 

@@ -4,9 +4,10 @@
  * @file Needs.h
  * @brief What an option needs to have an effect: of other options, or of the run.
  *
- * A row of the table of options lists its needs. Needs of the first kind have a predicate of the options (NeedTable()); an option
- * that was set while one of them is not met is told (UnmetNeeds.h). Needs of the second kind are offered by every run, except by
- * the kinds of run whose row says that they lack them (RunKinds.h).
+ * A row of the table of options lists its needs. Needs of the first kind have a predicate of the
+ * options (NeedTable()); an option that was set while one of them is not met is told
+ * (UnmetNeeds.h). Needs of the second kind are offered by every run, except by the kinds of run
+ * whose row says that they lack them (RunKinds.h).
  */
 #ifndef BoneDecimate_Core_Options_Needs_h
 #define BoneDecimate_Core_Options_Needs_h
@@ -41,9 +42,10 @@ enum class Need : int
   /// @}
 
   /// @name Offered by a run. @{
-  Edits,       ///< Triangles are removed.
-  TargetCount, ///< The number of triangles of the whole surface is known, so that it can end the run.
-  SingleRun,   ///< There is one run, with an error and an end that the user sets.
+  Edits, ///< Triangles are removed.
+  /// The number of triangles of the whole surface is known, so that it can end the run.
+  TargetCount,
+  SingleRun,          ///< There is one run, with an error and an end that the user sets.
   SmoothingChoice,    ///< The distance of smoothing is an option.
   VoxelLengths,       ///< Lengths and edits can follow the voxels of the scan.
   VoxelSize,          ///< The voxel size is given or can be found.

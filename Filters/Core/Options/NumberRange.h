@@ -11,8 +11,9 @@
 
 namespace bonedecimate
 {
-/// Largest absolute value of a length, area or volume; points farther from the origin are rejected, too.
-constexpr double LargestNumber = 1e30;
+/// Largest absolute value of a length, area or volume; points farther
+/// from the origin are rejected, too.
+constexpr double MaxNumber = 1e30;
 
 struct NumberRange
 {

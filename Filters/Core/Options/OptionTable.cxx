@@ -13,7 +13,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double LargestInteger = std::numeric_limits<int>::max();
+constexpr double MaxInteger = std::numeric_limits<int>::max();
 
 std::vector<OptionInfo> MakeTable()
 {

@@ -61,10 +61,11 @@ const std::vector<OptionInfo>& OptionTable();
 /// The row of that name, or nullptr.
 const OptionInfo* FindOption(const std::string& name);
 
-/// Of a number; nothing for switches, choices and texts.
+/// The range of a number; nothing for switches, choices and texts.
 std::optional<NumberRange> RangeOf(const OptionInfo& info);
 
-/// The values that an option accepts: "a number from 0 to 1e30 mm", "one of Thesis, Fast, Balanced, Accurate", "on or off".
+/// The values that an option accepts: "a number from 0 to 1e30 mm", "one of Thesis, Fast,
+/// Balanced, Accurate", "on or off".
 std::string ValuesText(const OptionInfo& info);
 
 OptionValue GetOption(const Options& options, const OptionInfo& info);
@@ -72,14 +73,16 @@ OptionValue GetOption(const Options& options, const OptionInfo& info);
 /// Whether the option requests something of the run: mostly that its value is not the default.
 bool IsUsed(const Options& options, const OptionInfo& info);
 
-/// Names of the options that do not have their default, for callers that do not know which were set.
+/// Names of the options that do not have their default, for callers
+/// that do not know which were set.
 std::vector<std::string> ChangedOptions(const Options& options);
 
-/// What is wrong with a value, in one sentence: its kind, or that it is outside the range (NaN and infinity are). Empty
-/// if nothing is.
+/// What is wrong with a value, in one sentence: its kind, or that it is outside the range (NaN and
+/// infinity are). Empty if nothing is.
 std::string CheckOption(const OptionInfo& info, const OptionValue& value);
 
-/// What is wrong with the first option whose value cannot be, empty if nothing is: structs are filled without SetOption(), too.
+/// What is wrong with the first option whose value cannot be, empty if nothing is: structs are
+/// filled without SetOption(), too.
 std::string CheckOptions(const Options& options);
 
 /// Sets the value; or leaves the options as they are and returns what CheckOption() says.
@@ -88,7 +91,8 @@ std::string SetOption(Options& options, const OptionInfo& info, const OptionValu
 /// The same from text.
 std::string SetOptionFromText(Options& options, const OptionInfo& info, const std::string& text);
 
-/// The value as text: the name of a choice, "on"/"off", the shortest decimals that read back the same.
+/// The value as text: the name of a choice, "on"/"off", the shortest
+/// decimals that read back the same.
 std::string OptionText(const Options& options, const OptionInfo& info);
 
 /// The table as Markdown, for Documentation/options.md.

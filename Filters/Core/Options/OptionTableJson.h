@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OptionTableJson.h
- * @brief The table of options as JSON, for what is generated from it: methods of filters, panels, types.
+ * @brief The table of options as JSON, for what is generated from it:
+ * methods of filters, panels, types.
  */
 #ifndef BoneDecimate_Core_Options_OptionTableJson_h
 #define BoneDecimate_Core_Options_OptionTableJson_h
@@ -22,7 +23,8 @@ namespace bonedecimate
  *     sentence           the meaning
  *     group, advanced    of panels
  *     names_point_array  whether it is chosen from the point arrays of the input
- *     conditions         lists of [option, value, whether it has the value]: of each list one holds where the option has an effect
+ *     conditions         lists of [option, value, whether it has the value]: of each list one holds
+ *                        where the option has an effect
  *     unsupported        { kind of run: why it does not have the option }
  */
 std::string OptionTableJson();

@@ -63,7 +63,7 @@ bool IsOfType(const OptionInfo& info)
   return std::holds_alternative<Type>(GetOption(Options{}, info));
 }
 
-/// Of a number, or of the numbers of a choice.
+/// The range of a number, or that of the numbers of a choice.
 NumberRange EndsOf(const OptionInfo& info)
 {
   return { info.Minimum, info.Maximum, IsOfType<int>(info), info.Unit };

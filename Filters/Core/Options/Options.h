@@ -48,8 +48,8 @@ struct Options
 #include "OptionRows.def"
 #undef BONEDECIMATE_OPTION
 
-  /// Must be set together with TargetReduction. While it is false, the default reduction is ignored if a number of
-  /// triangles or a largest error is given.
+  /// Must be set together with TargetReduction. While it is false, the default reduction is ignored
+  /// if a number of triangles or a largest error is given.
   bool TargetReductionIsExplicit = false;
 
   /// Whether the surface is smoothed before the first edit, if there is something to smooth.
@@ -70,7 +70,8 @@ struct Options
     return FindMode(this->Mode).LimitsShapes() ? this->EdgeLength : 0.0;
   }
 
-  /// Whether points are written in single precision.  @param inputIsSingle Precision of the input's points.
+  /// Whether points are written in single precision.
+  /// @param inputIsSingle Precision of the input's points.
   bool WritesSingle(bool inputIsSingle) const
   {
     return this->OutputPointsPrecision == PointsPrecision::Single ||
@@ -84,9 +85,10 @@ struct Options
     return voxels[static_cast<std::size_t>(this->ErrorPreset)];
   }
 
-  /// mm, the smaller one of MaximumError and the error of the preset, of those that are set; 0: none.
+  /// mm, the smaller one of MaximumError and the error of the preset,
+  /// of those that are set; 0: none.
   /// @param voxelSize mm
-  double LargestError(double voxelSize) const
+  double MaxError(double voxelSize) const
   {
     const double ofPreset = this->VoxelsOfPreset() * voxelSize;
     return this->MaximumError > 0.0 && ofPreset > 0.0 ? std::min(this->MaximumError, ofPreset)

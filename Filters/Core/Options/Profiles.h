@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Profiles.h
- * @brief The one table of built-in profiles: options for a purpose, each with its reason. Program, Python and documentation follow it.
+ * @brief The one table of built-in profiles: options for a purpose, each with its reason. Program,
+ * Python and documentation follow it.
  */
 #ifndef BoneDecimate_Core_Options_Profiles_h
 #define BoneDecimate_Core_Options_Profiles_h
@@ -14,7 +15,7 @@ namespace bonedecimate
 {
 struct ProfileOption
 {
-  const char* Flag;         ///< Of a row of the option table, without dashes.
+  const char* Flag;         ///< The flag of a row of the option table, without dashes.
   const char* Value;        ///< As on the command line.
   const char* Reason;       ///< Continues "because".
   bool IsForLevels = false; ///< Whether it is also set for levels of detail.
@@ -35,7 +36,8 @@ const Profile* FindProfile(const std::string& name);
 
 std::vector<std::string> ProfileNames();
 
-/// The flags of the options that say the same as this one in another way, itself included: "max-error" and "preset".
+/// The flags of the options that say the same as this one in another way, itself
+/// included: "max-error" and "preset".
 std::vector<std::string> AlternativesTo(const std::string& flag);
 
 /// The table as Markdown, for Documentation/command-line.md.

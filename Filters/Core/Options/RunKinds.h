@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RunKinds.h
- * @brief What does not go together: a row for each kind of run says which needs of options and inputs it lacks.
+ * @brief What does not go together: a row for each kind of run says which needs
+ * of options and inputs it lacks.
  *
- * A run offers every need (Needs.h) but those that its row lacks. A run may be of several kinds at once, such as one on several
- * processes whose points have two precisions. A requested option or input that needs what is not offered is rejected with the
- * sentence of the row. Sentences have the names of properties; each adapter replaces them by its own words (flags, keywords).
+ * A run offers every need (Needs.h) but those that its row lacks. A run may be of several kinds at
+ * once, such as one on several processes whose points have two precisions. A requested option or
+ * input that needs what is not offered is rejected with the sentence of the row. Sentences have the
+ * names of properties; each adapter replaces them by its own words (flags, keywords).
  */
 #ifndef BoneDecimate_Core_Options_RunKinds_h
 #define BoneDecimate_Core_Options_RunKinds_h
@@ -24,7 +26,8 @@ struct OptionInfo;
 struct Lack
 {
   NeedList Needs;
-  /// In it "{}" is replaced by the name of the request, "{all}" by the names of all requests that have one of these needs.
+  /// In it "{}" is replaced by the name of the request, "{all}" by the names of all
+  /// requests that have one of these needs.
   std::string Sentence;
 };
 
@@ -34,7 +37,8 @@ struct RunKind
   std::vector<Lack> Lacks; ///< The first that applies is told.
 };
 
-/// Rows of the kinds of run. Those of the program are in Applications/CommandLine/ArgumentKinds.cxx.
+/// Rows of the kinds of run. Those of the program are in
+/// Applications/CommandLine/ArgumentKinds.cxx.
 const std::vector<RunKind>& RunKindTable();
 
 /// The row of that name, which there must be.
@@ -51,7 +55,8 @@ struct Request
 /// All options of the table.
 std::vector<Request> RequestsOf(const Options& options);
 
-/// Why the first of the requests cannot be followed, a sentence without a period; empty if there is none.
+/// Why the first of the requests cannot be followed, a sentence without a
+/// period; empty if there is none.
 std::string FindUnsupported(
   const std::vector<RunKind>& kinds, const std::vector<Request>& requests);
 

@@ -89,7 +89,7 @@ std::optional<ErrorBoundSettings> BoundSettings(const RunTask& task, const Prepa
   return settings;
 }
 
-/// Of the voxel guard; none if voxels may change.
+/// Settings of the voxel guard; none if voxels may change.
 std::optional<VoxelGuardSettings> VoxelSettings(const RunTask& task, const PreparedInput& prepared)
 {
   if (!task.GuardsVoxels)
@@ -202,7 +202,7 @@ double RunningErrorOf(const Editor& editor, const std::vector<double>& errors)
 {
   if (editor.Reference().RecordsDistances())
   {
-    return editor.Reference().LargestError();
+    return editor.Reference().MaxError();
   }
   return errors.empty() ? std::numeric_limits<double>::quiet_NaN()
                         : *std::max_element(errors.begin(), errors.end());
@@ -247,7 +247,7 @@ void ReportEdits(const RunTask& task, const PreparedInput& prepared, Editor& edi
 }
 
 /// mm^3, of 27 voxels: of the grid, or of twice the bound where none is known. 0 unless a whole surface was smoothed.
-double SmallestPart(const RunTask& task, const SmoothingFigures& smoothing)
+double MinPart(const RunTask& task, const SmoothingFigures& smoothing)
 {
   if (!smoothing.HasRun() || task.Inputs.Part != nullptr)
   {
@@ -291,7 +291,7 @@ bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progres
   const KeptSurface* reference = prepared.Tolerances.ReferenceSurface();
   const EvaluatedRun run = { task.Input, prepared.Cleaned, *editor, local,
     reference != nullptr ? &reference->Surface : nullptr, EndsWithProof(task), task.Inputs,
-    prepared.Sizes, SmallestPart(task, report.Smoothing) };
+    prepared.Sizes, MinPart(task, report.Smoothing) };
   Evaluate(run, task.Effective, progress, result);
   return true;
 }
@@ -385,7 +385,7 @@ SmoothedInput SmoothOnly(
   {
     report.Parts = PartComparer(clean, inputs)
                      .Compare(*prepared.Mesh, { smoothed, clean.Surface.Triangles },
-                       SmallestPart(task, report.Smoothing));
+                       MinPart(task, report.Smoothing));
   }
   for (std::size_t i = 0; i < result.Points.size() && !smoothed.empty(); ++i)
   {

@@ -155,7 +155,7 @@ ErrorSearchResult FindSmallestError(
   double low = 0.0;                   // mm
   double high = trials.Last().Proved; // mm
   double error = high;                // mm
-  for (int runs = 1; runs < options.MostRuns && low < high * (1.0 - options.RelativePrecision);
+  for (int runs = 1; runs < options.MaxRuns && low < high * (1.0 - options.RelativePrecision);
        ++runs)
   {
     const double next = 0.5 * (1.0 + done);

@@ -29,7 +29,7 @@ namespace bonedecimate
 struct ErrorTrial
 {
   double MaximumError = 0.0;  ///< mm, of the run; 0: none, the result was certified afterwards.
-  std::int64_t Triangles = 0; ///< Of the result.
+  std::int64_t Triangles = 0; ///< Number of triangles of the result.
   double Proved = 0.0;    ///< mm, upper bound of the distance, both ways and of open boundaries.
   bool IsReached = false; ///< The error is proved, and the number of triangles is reached.
   double Seconds = 0.0;   ///< Time of the run and its certificate.
@@ -43,10 +43,10 @@ struct ErrorSearchOptions
   /// Options of every run; TargetNumberOfTriangles is the number to reach, MaximumError is ignored.
   bonedecimate::Options Run;
   double RelativePrecision =
-    0.02;            ///< Above 0: the search ends when low and high differ by no more.
-  int MostRuns = 40; ///< The search ends after as many, 1 or more.
+    0.02;           ///< Above 0: the search ends when low and high differ by no more.
+  int MaxRuns = 40; ///< The search ends after as many, 1 or more.
   RunInputs
-    Inputs; ///< Of every run; without a log. Errors are those to the reference if there is one.
+    Inputs; ///< Inputs of every run; without a log. Errors are those to the reference if there is one.
 };
 
 /// What was found, and all runs that were tried.

@@ -20,7 +20,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr std::int64_t MostSamplesOfMark = 200000;
+constexpr std::int64_t MaxSamplesOfMark = 200000;
 
 std::uint64_t ConnectivityOf(const Surface& surface, int threads)
 {
@@ -40,8 +40,7 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads, const Run
     return LogStatus::OtherSurface;
   }
   SortAlongCurve(clean, threads); // the same numbers as in the run, see Decimate.cxx
-  const std::vector<Index> patches = PatchLabels(clean, inputs.Labels, map);
-  if (SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface, threads, {}, patches)))
+  if (SplitIntoManifoldPatches(clean, threads, PatchLabels(clean, inputs.Labels, map)))
   {
     SortAlongCurve(clean, threads);
   }
@@ -234,7 +233,7 @@ bool Levels::CompareVoxels(const Surface& input, const Monitor& monitor)
 void Levels::MeasureMark(const BoundingTree& input, LevelMark& mark) const
 {
   const std::int64_t samples =
-    std::min(MostSamplesOfMark, 4 * static_cast<std::int64_t>(this->Triangles.size()));
+    std::min(MaxSamplesOfMark, 4 * static_cast<std::int64_t>(this->Triangles.size()));
   const Surface level = this->At(mark.Collapses).Surface;
   const BoundingTree tree(level, this->Threads);
   const DistanceStatistics to = MeasureDistance(level,

@@ -49,7 +49,7 @@ public:
   {
     return this->Stack->At(collapses, this->Threads, this->Points, this->OriginalVertices);
   }
-  /// Of the triangles of At(); empty if the label map has none.
+  /// Labels on both sides of the triangles of At(); empty if the label map has none.
   std::vector<BoundaryLabels> BoundaryLabelsAt(Index collapses) const;
   /// For each triangle of At() the input triangle of which it is what is left, and whose label it has.
   std::vector<Index> InputTrianglesAt(Index collapses) const;

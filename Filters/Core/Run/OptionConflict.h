@@ -18,7 +18,7 @@ namespace bonedecimate
 /// Why an option does not go with what the run keeps or has, in one sentence; empty: all do.
 std::string FindConflict(const Options& options, const RunInputs& inputs);
 
-/// Of a run that is rejected for that reason.
+/// The result of a run that is rejected for that reason.
 Result RejectedResult(const Options& options, const std::string& conflict);
 }
 

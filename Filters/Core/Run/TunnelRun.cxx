@@ -92,7 +92,7 @@ private:
       return false;
     }
     this->Cleaning = clean.Statistics;
-    SplitIntoManifoldPatches(clean, HalfEdgeMesh(clean.Surface, threads));
+    SplitIntoManifoldPatches(clean, threads);
     TunnelConstraints constraints = { FixedPoints(clean, tolerances), {} };
     for (const Index triangle : clean.InputTriangle)
     {
@@ -178,7 +178,7 @@ private:
     report.Cleaning.CoarsePoints = cleaning.CoarsePoints;
     report.Cleaning.MeetingPoints = cleaning.MeetingPoints;
     report.Cleaning.FirstCoarsePoint = cleaning.FirstCoarsePoint;
-    report.Cleaning.LargestRounding = cleaning.LargestRounding;
+    report.Cleaning.MaxRounding = cleaning.MaxRounding;
     report.Cleaning.ConstrainedPoints = cleaning.ConstrainedPoints;
     report.InputChecksum = Checksum(this->Input, this->Requested.NumberOfThreads);
     if (this->Requested.DiagnoseInput)

@@ -27,7 +27,7 @@ public:
     : Input(input)
     , Requested(options)
     , Inputs(inputs)
-    , Error(options.LargestError(options.VoxelSize))
+    , Error(options.MaxError(options.VoxelSize))
   {
   }
 
@@ -132,7 +132,7 @@ private:
     const auto restored = [&](double length) {
       return length == rest.MaximumError ? this->Error : length > 0.0 ? this->More(length) : length;
     };
-    report.Size.LargestError = restored(report.Size.LargestError);
+    report.Size.MaxError = restored(report.Size.MaxError);
     report.Size.ErrorBound = restored(report.Size.ErrorBound);
     report.InputChecksum = Checksum(this->Input, this->Requested.NumberOfThreads);
     if (this->Requested.DiagnoseInput)

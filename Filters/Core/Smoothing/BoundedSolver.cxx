@@ -11,8 +11,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the lambda along the long axes of thick slices.
-constexpr double LargestStrength = 100.0;
+/// Upper limit of lambda along the long axes of thick slices.
+constexpr double MaxLambda = 100.0;
 
 double ConditionOf(const Vector3& strengths)
 {
@@ -54,7 +54,7 @@ void BoundedSolver::ReadRows(const std::vector<Vector3>& points)
 Vector3 BoundedSolver::Strengths(double lambda) const
 {
   const Vector3 ratios = this->Sets.UnitLengths() / this->Sets.UnitLengths().minCoeff();
-  const double largest = std::max(LargestStrength, lambda);
+  const double largest = std::max(MaxLambda, lambda);
   return (lambda * ratios.cwiseProduct(ratios)).cwiseMin(largest);
 }
 

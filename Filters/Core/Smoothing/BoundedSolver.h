@@ -4,17 +4,22 @@
  * @file BoundedSolver.h
  * @brief Bounded regularized least squares: displacements of the points of a surface that minimize
  *
- *     sum |d_i|^2 + lambda |L (x0 + d)|^2        subject to d_i in the set of point i       (DisplacementSets.h)
+ *     sum |d_i|^2 + lambda |L (x0 + d)|^2    subject to d_i in the set of point i
+ *                                            (DisplacementSets.h)
  *
  * by projected gradients with constant momentum:
  *
- *     d' = P(y - (y + lambda L^T (L (x0 + y))) / (1 + lambda D))      D_i: twice the absolute sum of column i of L
- *     y' = d' + beta (d' - d)                                         beta = (sqrt k - 1) / (sqrt k + 1), k = 1 + 4 lambda
+ *     d' = P(y - (y + lambda L^T (L (x0 + y))) / (1 + lambda D))
+ *     y' = d' + beta (d' - d)
+ *     D_i   twice the absolute sum of column i of L
+ *     beta  (sqrt k - 1) / (sqrt k + 1), k = 1 + 4 lambda
  *
- * D bounds the largest eigenvalue of L^T L scaled by it, so the step is always safe. After ceil(4 sqrt k) iterations the
- * error is a few micrometers; after half of them if they start near the minimum. Double precision; the result does not depend on the number of threads.
+ * D bounds the largest eigenvalue of L^T L scaled by it, so the step is always safe. After ceil(4
+ * sqrt k) iterations the error is a few micrometers; after half of them if they start near the
+ * minimum. Double precision; the result does not depend on the number of threads.
  *
- * Y. Nesterov, Introductory Lectures on Convex Optimization, 2004, 2.2: constant step, strongly convex.
+ * Y. Nesterov, Introductory Lectures on Convex Optimization, 2004, 2.2:
+ * constant step, strongly convex.
  */
 #ifndef BoneDecimate_Core_Smoothing_BoundedSolver_h
 #define BoneDecimate_Core_Smoothing_BoundedSolver_h
@@ -42,7 +47,8 @@ public:
   int IterationsOf(double lambda, bool isNear) const;
 
   /// Moves the displacements, in units of the sets, towards the minimum from where they are.
-  /// @param monitor May be empty.  @return False after an abort; the displacements are then still within the sets.
+  /// @param monitor May be empty.  @return False after an abort; the displacements
+  /// are then still within the sets.
   bool Run(
     double lambda, int iterations, const Monitor& monitor, std::vector<Vector3>& displacements);
 
@@ -51,7 +57,8 @@ public:
     double lambda, const std::vector<Index>& points, std::vector<Vector3>& displacements);
 
 private:
-  /// For each axis: longer units have a stronger smoothing, because the quantization is that much coarser.
+  /// For each axis: longer units have a stronger smoothing, because the
+  /// quantization is that much coarser.
   Vector3 Strengths(double lambda) const;
   void FillRow(Index point);
   void Step(

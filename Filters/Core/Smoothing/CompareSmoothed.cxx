@@ -107,7 +107,7 @@ SmoothingFigures CompareSmoothed(const Surface& before, const std::vector<Vector
 {
   SmoothingFigures figures;
   const Displacements moved = DisplacementsOf(before.Points, after, threads);
-  figures.LargestDisplacement = std::sqrt(moved.Largest);
+  figures.MaxDisplacement = std::sqrt(moved.Largest);
   figures.RmsDisplacement =
     before.Points.empty() ? 0.0 : std::sqrt(moved.Squares / static_cast<double>(after.size()));
   std::vector<Vector3> areas = AreaVectors(before.Points, before.Triangles, threads);

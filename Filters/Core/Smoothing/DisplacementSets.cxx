@@ -22,7 +22,8 @@ int NumberOfOdd(const GridPoint& point)
     std::count_if(point.begin(), point.end(), [](std::int32_t i) { return i % 2 != 0; }));
 }
 
-/// The nearest point of the octahedron sum w |x| <= radius to p, by the threshold t of x = p shortened by t w along each axis.
+/// The nearest point of the octahedron sum w |x| <= radius to p, by the threshold t of x = p
+/// shortened by t w along each axis.
 Vector3 NearestInOctahedron(const Vector3& p, const Vector3& w, double radius)
 {
   const Vector3 lengths = p.cwiseAbs();

@@ -2,20 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DisplacementSets.h
- * @brief For each point the convex set of displacements that it may take: a ball, and an octahedron if its grid point is known.
+ * @brief For each point the convex set of displacements that it may take: a ball, and an
+ * octahedron if its grid point is known.
  *
  *     ball:        |d| <= r
- *     octahedron:  sum of |x0 + d - c| / h over the axes <= n - slack     h: half the side of a voxel, n: odd coordinates
+ *     octahedron:  sum of |x0 + d - c| / h over the axes <= n - slack
+ *                  h: half the side of a voxel, n: odd coordinates
  *
- * VoxelGrid.h says why points in octahedra keep the label of every voxel. The slack keeps triangles away from voxel centers:
- * at 4e-3 half voxels by 1.1e-3 voxels.
+ * VoxelGrid.h says why points in octahedra keep the label of every voxel. The slack keeps triangles
+ * away from voxel centers: at 4e-3 half voxels by 1.1e-3 voxels.
  *
- * Displacements are along the axes of the grid, in units of the set: millimeters, or half voxels for thick slices, where
- * the octahedron alone limits points that have one.
+ * Displacements are along the axes of the grid, in units of the set: millimeters, or half voxels
+ * for thick slices, where the octahedron alone limits points that have one.
  *
- * The sets contain 0. A projection onto a convex set never leads away from its points: in millimeters the octahedron after
- * the ball keeps to the ball; in half voxels the ball shortens, which keeps to the octahedron. Along the axes of a sheared grid
- * the projection is not that of millimeters, so the ball shortens there, too. Its radius is in millimeters in any case.
+ * The sets contain 0. A projection onto a convex set never leads away from its points: in
+ * millimeters the octahedron after the ball keeps to the ball; in half voxels the ball shortens,
+ * which keeps to the octahedron. Along the axes of a sheared grid the projection is not that of
+ * millimeters, so the ball shortens there, too. Its radius is in millimeters in any case.
  */
 #ifndef BoneDecimate_Core_Smoothing_DisplacementSets_h
 #define BoneDecimate_Core_Smoothing_DisplacementSets_h
@@ -32,7 +35,8 @@ class DisplacementSets
 {
 public:
   /// @param points mm.  @param radii mm, of each point; 0: it does not move.
-  /// @param source With OfPoint: octahedra; null or without: balls alone. Its grid has the points' origin.
+  /// @param source With OfPoint: octahedra; null or without: balls alone.
+  /// Its grid has the points' origin.
   /// @param inVoxels Units of half voxels along each axis. Only with a source.
   DisplacementSets(const std::vector<Vector3>& points, std::vector<double> radii,
     const LabelMapSource* source, bool inVoxels, int threads);
@@ -52,7 +56,8 @@ public:
       : this->OntoOctahedron(point, this->ShortenedToBall(point, displacement));
   }
 
-  /// Whether a displacement in mm keeps to the octahedron, with an eighth of its slack for rounding; true without octahedra.
+  /// Whether a displacement in mm keeps to the octahedron, with an eighth of its slack for
+  /// rounding; true without octahedra.
   bool KeepsToOctahedron(Index point, const Vector3& millimeters) const;
 
   Vector3 ToMillimeters(const Vector3& displacement) const
@@ -97,7 +102,7 @@ private:
       ? displacement // bit for bit
       : this->OntoFace(point, from);
   }
-  /// Of a position outside of the octahedron, from its center.
+  /// Projects a position outside of the octahedron, relative to its center, onto the nearest face.
   Vector3 OntoFace(Index point, const Vector3& from) const;
 
   Vector3 HalfVoxelsPerUnitAt(std::size_t point) const

@@ -9,11 +9,12 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int MostHalvingsOfTime = 8;
-/// Of the coordinates, for the rounding of products.
+constexpr int MaxHalvingsOfTime = 8;
+/// Bound of the rounding of products, relative to the coordinates.
 constexpr double Rounding = 1e-12;
 
-/// Whether all corners of the second triangle lie farther along the direction than those of the first.
+/// Whether all corners of the second triangle lie farther along the
+/// direction than those of the first.
 bool Separates(const Vector3& direction, const TrianglesInTime& at)
 {
   double lastOfFirst = -std::numeric_limits<double>::infinity();
@@ -63,6 +64,6 @@ bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after, int 
 bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after)
 {
   const bool isStill = before.First == after.First && before.Second == after.Second;
-  return isStill || StayApart(before, after, MostHalvingsOfTime);
+  return isStill || StayApart(before, after, MaxHalvingsOfTime);
 }
 }

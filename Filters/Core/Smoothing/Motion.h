@@ -4,8 +4,8 @@
  * @file Motion.h
  * @brief Whether two triangles stay apart while their corners move along straight lines.
  *
- * A plane that keeps its normal separates the triangles at every time between two times at which it does, because corners are
- * linear in time. Where no such plane is found, time is halved.
+ * A plane that keeps its normal separates the triangles at every time between two times at which it
+ * does, because corners are linear in time. Where no such plane is found, time is halved.
  */
 #ifndef BoneDecimate_Core_Smoothing_Motion_h
 #define BoneDecimate_Core_Smoothing_Motion_h
@@ -19,7 +19,8 @@ struct TrianglesInTime
   TriangleCorners First, Second; // mm
 };
 
-/// Of two triangles that do not meet before and after. True is proved; false also where they move and come so near that it is not clear.
+/// Whether two triangles that meet neither before nor after do not meet in between. True is proved;
+/// false also where they move and come so near that it is not clear.
 bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after);
 }
 

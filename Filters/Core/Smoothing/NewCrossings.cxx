@@ -174,8 +174,8 @@ bool NewCrossings::IsTurnedOver(const std::vector<Vector3>& points, const Triang
   return before.squaredNorm() > 0.0 && !(Dot(before, areaOf(points)) > 0.0);
 }
 
-/// Of two triangles that intersect now or have passed through each other: whether they did not before. Those that only touched may touch,
-/// but not pierce each other.
+/// Whether two triangles that intersect now or have passed through each other did not before. Those
+/// that only touched may touch, but not pierce each other.
 bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
 {
   const Triangle& first = this->Before.Triangles[a];

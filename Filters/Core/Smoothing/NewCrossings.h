@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NewCrossings.h
- * @brief Triangles that intersect or are turned over after their points have moved, and were not before.
+ * @brief Triangles that intersect or are turned over after their points
+ * have moved, and were not before.
  *
- *     pairs:   triangles whose boxes overlap, from a binary tree of boxes over the triangles as they come, which lie along a
- *              curve that fills space; pairs that intersect (Proof/Guard/TrianglePair.h) and did not before, or that pierce each
- *              other and only touched before
- *     passed:  on request, pairs without a common corner that pass through each other on the way (Motion.h)
- *     turned:  triangles whose normal has turned by 90 degrees or more, or that have lost their area
+ *     pairs:   triangles whose boxes overlap, from a binary tree of boxes over the
+ *              triangles as they come, which lie along a curve that fills space; pairs that
+ *              intersect (Proof/Guard/TrianglePair.h) and did not before, or that pierce
+ *              each other and only touched before
+ *     passed:  on request, pairs without a common corner that pass through
+ *              each other on the way (Motion.h)
+ *     turned:  triangles whose normal has turned by 90 degrees or
+ *              more, or that have lost their area
  *
  * The result does not depend on the number of threads.
  */

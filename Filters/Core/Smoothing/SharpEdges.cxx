@@ -17,8 +17,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the sum of the bends of two patches: what curvature alone explains is at most 1.5 times the sum.
-constexpr double MostOfBends = 2.0;
+/// In sums of the bends of two patches: curvature alone explains at most 1.5.
+constexpr double MaxOfBends = 2.0;
 
 /// Whether two triangles at an edge have their normals on the same side of the surface.
 bool HaveEqualOrientation(const Triangle& one, const Triangle& other)
@@ -36,7 +36,8 @@ bool HaveEqualOrientation(const Triangle& one, const Triangle& other)
   return false;
 }
 
-/// Neighbors of each triangle over edges that may be sharp, if their orientations agree; ascending by edge.
+/// Neighbors of each triangle over edges that may be sharp, if their
+/// orientations agree; ascending by edge.
 class Neighbors
 {
 public:
@@ -154,7 +155,7 @@ public:
     const Index b = this->Best[edge[1]];
     const double angle = AngleBetween(this->Means[a], this->Means[b]);
     return DegreesPerRadian * angle > this->Settings.Angle &&
-      angle > MostOfBends * (BendOf(this->Spreads[a]) + BendOf(this->Spreads[b]));
+      angle > MaxOfBends * (BendOf(this->Spreads[a]) + BendOf(this->Spreads[b]));
   }
 
   const Vector3& Normal(Index triangle) const { return this->Means[this->Best[triangle]]; }

@@ -24,7 +24,7 @@ std::array<Index, 2> CommonEdge(const Surface& surface, const std::array<Index, 
   return ends;
 }
 
-/// Of a plane in millimeters: its normal where positions are in units.
+/// The normal of a plane where positions are in units.
 Vector3 NormalInUnits(const Vector3& normal, const Eigen::Matrix3d& toUnits)
 {
   const Vector3 turned = toUnits.inverse().transpose() * normal;

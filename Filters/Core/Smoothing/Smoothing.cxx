@@ -16,10 +16,10 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the radius: what rounding to the precision of the output may add is left free.
+/// Fraction of the radius that is used: rounding to the precision of the output needs the rest.
 constexpr double RadiusOfSolver = 0.999;
 /// Radii are halved that often, then set to 0.
-constexpr int MostHalvings = 6;
+constexpr int MaxHalvings = 6;
 /// Rings of points around an intersection that are solved again.
 constexpr int RingsAround = 4;
 /// Fractions of the progress.
@@ -27,7 +27,7 @@ constexpr double GraphAt = 0.15;
 constexpr double StrengthAt = 0.5;
 constexpr double SolvedOnceAt = 0.65;
 constexpr double SolvedAt = 0.8;
-/// Of the median length of the edges: about two voxels for marching cubes of a binary volume.
+/// In median edge lengths: about two voxels for marching cubes of a binary volume.
 constexpr double ScaleOfSharpEdges = 2.3;
 
 /// mm: the least limit of a point and of its neighbors, and the radius.
@@ -249,7 +249,7 @@ private:
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     for (const Index point : corners)
     {
-      const double factor = this->Halvings[point]++ < MostHalvings ? 0.5 : 0.0;
+      const double factor = this->Halvings[point]++ < MaxHalvings ? 0.5 : 0.0;
       this->Radii[point] *= factor;
       this->Sets.SetRadius(point, RadiusOfSolver * this->Radii[point]);
     }

@@ -12,7 +12,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Edges shorter than this fraction of the median count like edges of that length: needles would dominate their rows.
+/// Edges shorter than this fraction of the median count like edges of that length:
+/// needles would dominate their rows.
 constexpr double ShortestEdge = 0.6;
 constexpr double FactorOfWalls = 0.1; // at a junction
 

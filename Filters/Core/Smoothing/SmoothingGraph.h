@@ -2,22 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SmoothingGraph.h
- * @brief The Laplacian L of a surface as a sparse matrix: what a point differs from the weighted mean of its neighbors.
+ * @brief The Laplacian L of a surface as a sparse matrix: what a point differs from the
+ * weighted mean of its neighbors.
  *
- *     (L x)_i = x_i - sum_j a_ij x_j          a_ij = w_ij m_i / sum of them over j: rows have the sum 0
- *     w_ij    = 1 / max(|e|, 0.6 median |e|)^2       |e|: length of the edge in units of the displacements
+ *     (L x)_i = x_i - sum_j a_ij x_j      a_ij = w_ij m_i / sum of them over j: rows have the sum 0
+ *     w_ij    = 1 / max(|e|, 0.6 median |e|)^2
+ *               |e|: length of the edge in units of the displacements
  *     m_i     = 1
  *               boundary point:  0 along edges that are not of the boundary or of a junction
  *               junction point:  0.1 along edges that are not of the junction
  *
- * A point on a sharp edge (SharpEdges.h) counts of each difference the parts along the normals of the triangles at that
- * edge, so that it lies on the surfaces on both sides; along the sharp edge it counts the whole if it is not a corner:
+ * A point on a sharp edge (SharpEdges.h) counts of each difference the parts along the normals of
+ * the triangles at that edge, so that it lies on the surfaces on both sides; along the sharp edge
+ * it counts the whole if it is not a corner:
  *
  *     (L x)_i = sum_j a_ij N_ij (x_i - x_j)      N_ij = mean of n n^T
  *
- * An edge of one triangle is a boundary edge. An edge of three or more triangles, or of two with different labels, is a
- * junction edge. So boundaries and junction curves are smoothed along themselves. With the factor 0 at junctions, walls
- * intersect each other there.
+ * An edge of one triangle is a boundary edge. An edge of three or more triangles, or of two with
+ * different labels, is a junction edge. So boundaries and junction curves are smoothed along
+ * themselves. With the factor 0 at junctions, walls intersect each other there.
  */
 #ifndef BoneDecimate_Core_Smoothing_SmoothingGraph_h
 #define BoneDecimate_Core_Smoothing_SmoothingGraph_h
@@ -41,7 +44,8 @@ enum class CurveKind : std::uint8_t
 class SmoothingGraph
 {
 public:
-  /// @param surface Its corners must be valid and different. Points without triangles have no neighbors.
+  /// @param surface Its corners must be valid and different. Points
+  /// without triangles have no neighbors.
   /// @param labels Of each triangle; empty: none.  @param toUnits From millimeters.
   SmoothingGraph(const Surface& surface, const std::vector<BoundaryLabels>& labels,
     const Eigen::Matrix3d& toUnits, int threads);
@@ -72,7 +76,8 @@ public:
     return this->IsNearSharp(point) ? this->TransposedRowNearSharp(point, z)
                                     : this->Apply(this->TransposedWeights, point, z);
   }
-  /// Row `point` of L x in units by differences of neighbors: without cancellation far from the origin.
+  /// Row `point` of L x in units by differences of neighbors: without
+  /// cancellation far from the origin.
   /// @param x mm  @param toUnits Converts a displacement.
   template <typename ToUnits>
   Vector3 RowOfPositions(Index point, const std::vector<Vector3>& x, const ToUnits& toUnits) const
@@ -98,7 +103,8 @@ public:
   /// Median length of the edges, in units.
   double MedianLength() const { return this->Median; }
 
-  /// An upper bound of row `point` of the absolute values of L^T L: twice the absolute sum of a column of L.
+  /// An upper bound of row `point` of the absolute values of L^T L: twice the
+  /// absolute sum of a column of L.
   double ColumnBound(Index point) const;
 
   /// The two triangles of each edge that is neither a boundary nor a junction.

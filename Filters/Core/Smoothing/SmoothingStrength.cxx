@@ -14,12 +14,12 @@ namespace
 constexpr double Target = 0.7;
 constexpr double Accuracy = 0.04;
 constexpr double FirstStrength = 5.0;
-constexpr int MostSolves = 3;
+constexpr int MaxSolves = 3;
 constexpr int IterationsOfSolve = 10;
 /// The exponent by which the displacement grows with lambda: at first, and its range.
 constexpr double FirstExponent = 0.35;
-constexpr double LeastExponent = 0.1;
-constexpr double LeastChange = 1.001;
+constexpr double MinExponent = 0.1;
+constexpr double MinChange = 1.001;
 
 /// The natural logarithm by its series: the same bits everywhere. x > 0.
 double Logarithm(double x)
@@ -132,7 +132,7 @@ struct Trial
   double LogRatio = 0.0;
 };
 
-/// Of the displacement as a power of lambda.
+/// The exponent of the displacement as a power of lambda.
 double ExponentOf(const std::vector<Trial>& trials)
 {
   if (trials.size() < 2)
@@ -143,9 +143,8 @@ double ExponentOf(const std::vector<Trial>& trials)
   const Trial& before = trials[trials.size() - 2];
   const double rise = last.LogRatio - before.LogRatio;
   const double run = last.LogStrength - before.LogStrength;
-  return std::abs(rise) <= LeastChange - 1.0 || run == 0.0
-    ? FirstExponent
-    : std::clamp(rise / run, LeastExponent, 1.0);
+  return std::abs(rise) <= MinChange - 1.0 || run == 0.0 ? FirstExponent
+                                                         : std::clamp(rise / run, MinExponent, 1.0);
 }
 }
 
@@ -155,10 +154,10 @@ double ChooseStrength(const StrengthProblem& problem, BoundedSolver& solver, con
   double strength = FirstStrength;
   std::vector<Trial> trials;
   bool isGood = false;
-  for (int i = 0; i < MostSolves && !isGood; ++i)
+  for (int i = 0; i < MaxSolves && !isGood; ++i)
   {
     const Monitor part = monitor
-      ? PartOf(monitor, static_cast<double>(i) / MostSolves, (i + 1.0) / MostSolves)
+      ? PartOf(monitor, static_cast<double>(i) / MaxSolves, (i + 1.0) / MaxSolves)
       : Monitor();
     if (!solver.Run(strength, IterationsOfSolve, part, displacements))
     {
@@ -174,9 +173,9 @@ double ChooseStrength(const StrengthProblem& problem, BoundedSolver& solver, con
     {
       trials.push_back({ Logarithm(strength), Logarithm(ratio) });
       const double step = (Logarithm(Target) - trials.back().LogRatio) / ExponentOf(trials);
-      const double most = Logarithm(MostStrength / LeastStrength);
-      strength = std::clamp(
-        strength * Exponential(std::clamp(step, -most, most)), LeastStrength, MostStrength);
+      const double most = Logarithm(MaxStrength / MinStrength);
+      strength =
+        std::clamp(strength * Exponential(std::clamp(step, -most, most)), MinStrength, MaxStrength);
     }
   }
   return strength;

@@ -4,16 +4,17 @@
  * @file SmoothingStrength.h
  * @brief The strength lambda of the smoothing of a binary surface, by the discrepancy principle.
  *
- * A segmentation rounds the position of the surface to the middle of a grid edge. The rounding error along the surface's
- * normal n is uniform, with the standard deviation h |n . e| / sqrt 3 for a grid edge along e of the length 2 h. Smoothing
- * should remove that much and not more:
+ * A segmentation rounds the position of the surface to the middle of a grid edge. The rounding
+ * error along the surface's normal n is uniform, with the standard deviation h |n . e| / sqrt 3 for
+ * a grid edge along e of the length 2 h. Smoothing should remove that much and not more:
  *
  *     RMS(n . d)  =  0.7 RMS(h |n . e| / sqrt 3)         over points on grid edges that may move
  *
- * Start at 5; at most three solves of ten iterations, each from the result of the one before; secant steps of the
- * logarithms, limited to 1 to 12.
+ * Start at 5; at most three solves of ten iterations, each from the result of the one before;
+ * secant steps of the logarithms, limited to 1 to 12.
  *
- * V. A. Morozov, On the solution of functional equations by the method of regularization, 1966: the principle.
+ * V. A. Morozov, On the solution of functional equations by the method of
+ * regularization, 1966: the principle.
  */
 #ifndef BoneDecimate_Core_Smoothing_SmoothingStrength_h
 #define BoneDecimate_Core_Smoothing_SmoothingStrength_h
@@ -22,8 +23,8 @@
 
 namespace bonedecimate
 {
-constexpr double LeastStrength = 1.0;
-constexpr double MostStrength = 12.0;
+constexpr double MinStrength = 1.0;
+constexpr double MaxStrength = 12.0;
 /// Without a known grid.
 constexpr double DefaultStrength = 3.0;
 
@@ -37,7 +38,8 @@ struct StrengthProblem
   int Threads = 1;
 };
 
-/// @param displacements Those of the last solve: a start for the final one. @param monitor May be empty.
+/// @param displacements Those of the last solve: a start for the final
+/// one. @param monitor May be empty.
 double ChooseStrength(const StrengthProblem& problem, BoundedSolver& solver, const Monitor& monitor,
   std::vector<Vector3>& displacements);
 }

@@ -27,7 +27,7 @@
 namespace bonedecimate
 {
 constexpr float AccumulatedErrorWeight = 0.03F;
-constexpr float FlatRatio = 1e-8F; ///< Of S length^2.
+constexpr float FlatRatio = 1e-8F; ///< Fraction of S length^2.
 
 /// Units of the mesh to the power of 3.5, times the normalization.
 /// @param x From the middle of the edge, units.  @param accumulatedError Of either end, the larger, units.

@@ -41,7 +41,7 @@ public:
     return this->Weight * r * r;
   }
 
-  /// Of corner A of the frame.
+  /// The gradient at corner A of the frame.
   Slope At(const TriangleFrame& frame) const
   {
     const double divisor = Divisor(frame);

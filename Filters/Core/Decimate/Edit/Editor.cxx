@@ -18,27 +18,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// WithJoined at the positions of the mesh.
-template <typename Use>
-auto WithJoined(
-  const CleanSurface& clean, const HalfEdgeMesh& mesh, bool isSmoothed, const Use& use)
-{
-  return bonedecimate::WithJoined(clean,
-    [&](const Surface& joined)
-    {
-      if (!isSmoothed)
-      {
-        return use(joined);
-      }
-      Surface smoothed = joined;
-      for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-      {
-        smoothed.Points[v] = mesh.Position(v);
-      }
-      return use(static_cast<const Surface&>(smoothed));
-    });
-}
-
 WrittenPositions WrittenBy(const EditorSettings& settings, const CleanSurface& clean)
 {
   return settings.Input == nullptr
@@ -118,8 +97,9 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   const bool voxelsFirst = this->GuardsVoxels &&
     (!settings.Bound ||
       VoxelGuard::ChecksBeforeBound(settings.Voxels->Grid, settings.Bound->Error));
-  this->Fragments = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
-    [this](const Surface& joined) { return std::make_shared<FragmentGuard>(this->Half, joined); });
+  const CleanSurface& clean = this->Source.AtFirst();
+  this->Fragments = std::make_shared<FragmentGuard>(
+    this->Half, clean.Surface, clean.ManifoldPatches.OriginalVertices);
   this->Filters.push_back(this->Fragments);
   if (!settings.Shape.IsAny())
   {
@@ -182,10 +162,19 @@ void Editor::AddRecorder()
 //------------------------------------------------------------------------------
 void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor& monitor)
 {
-  this->Guard = WithJoined(this->Source.AtFirst(), this->Half, this->Unsmoothed != nullptr,
+  this->Guard = WithJoined(this->Source.AtFirst(),
     [&](const Surface& joined)
     {
-      return std::make_shared<IntersectionGuard>(this->Half, joined,
+      Surface smoothed;
+      if (this->Unsmoothed)
+      {
+        smoothed = joined;
+        for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+        {
+          smoothed.Points[v] = this->Half.Position(v);
+        }
+      }
+      return std::make_shared<IntersectionGuard>(this->Half, this->Unsmoothed ? smoothed : joined,
         WrittenBy(settings, this->Source.AtFirst()), settings.Bound->Error, settings.GuardsGaps,
         settings.Threads, monitor);
     });

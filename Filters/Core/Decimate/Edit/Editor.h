@@ -7,7 +7,7 @@
  *     Collapse:           rules (CollapseRules.h)  ->  filters  ->  mesh  ->  filters commit
  *                         ->  areas, quadrics, origins, counts, hook                               (CollapseEdit.cxx)
  *     CollapseTogether:   the same for one edge of a feature curve in all patches there            (EditTogether.cxx)
- *     CollapseAndMove:    a collapse and moves near it as one edit                                  (CollapseAndMove.cxx)
+ *     CollapseAndMove:    a collapse, moves and flips near it as one edit                            (CollapseAndMove.cxx)
  *     Flip, Move:         rules (FlipAndMoveRules.h)  ->  filters  ->  mesh  ->  filters commit
  *                         ->  hook                                                   (FlipEdit.cxx, MoveEdit.cxx)
  *     Split:              the same with SplitRules.h; the new vertex and faces take ids of removed ones
@@ -125,10 +125,10 @@ public:
   /// other worker may be active.
   Decision CollapseTogether(const std::vector<Edit>& edits);
 
-  /// Collapses an inside edge and moves vertices near it, as one edit: all or nothing. The states between, which may exceed the
+  /// Collapses an inside edge, moves vertices and flips edges near it, as one edit: all or nothing. The states between, which may exceed the
   /// error bound, are never in the mesh, and no level of the log ends in them. No other worker may be active; counts are settled.
   /// Quadrics are not updated.
-  Decision CollapseAndMove(const Edit& edit, const std::vector<VertexMove>& moves, Workspace& work);
+  Decision CollapseAndMove(const Edit& edit, const NearbyEdits& nearby, Workspace& work);
 
   /// Replaces the edge by the other diagonal of its two faces if rules and filters accept it. Neither flips nor their
   /// rejections are counted.
@@ -224,6 +224,12 @@ private:
   void UpdateBookkeeping(const Edit& edit, VertexId gone, Workspace& work);
   bool ChooseSlots(Edit& edit);
   void ApplySplit(const Edit& edit, Workspace& work);
+  void ApplyTogether(const Edit& edit, const NearbyEdits& nearby, const Workspace& work);
+  Decision TryFlips(
+    const std::vector<EdgeFlip>& flips, std::vector<Index>& oldFaces, HalfEdgeMesh::Saved& saved);
+  void SaveOnce(FaceId face, std::vector<Index>& oldFaces, HalfEdgeMesh::Saved& saved) const;
+  Decision FillTogether(const Edit& edit, const NearbyEdits& nearby, Workspace& work);
+  void CommitTogether(const Edit& edit, const NearbyEdits& nearby, Workspace& work);
   /// Data of one of the patches of CollapseTogether.
   struct PatchEdit
   {

@@ -20,9 +20,9 @@ namespace
 /// How often the edits of a vertex are undone alone. Each later failure undoes one more of the last
 /// edits around it.
 constexpr int FailuresWithoutMore = 4;
-constexpr int MostFailures = 100; // later failures are not counted
+constexpr int MaxFailures = 100; // later failures are not counted
 /// After so many turns the draft is undone as a whole.
-constexpr int MostTurns = 120;
+constexpr int MaxTurns = 120;
 /// Ratio of the separation by which a draft may move points, so that two moving parts cannot meet.
 constexpr double LessThanHalf = 0.49;
 /// Distance within which other parts are searched, in largest errors: both may move by one, and a
@@ -114,9 +114,9 @@ bool Editor::EndDraft(int threads, const Monitor& monitor)
   this->ForgetPending();
   BulkProof proof(
     *this->Bound, this->Drafted->Limits, this->Half, *this->Drafted->Journal, threads);
-  for (int turn = 0; turn < MostTurns; ++turn)
+  for (int turn = 0; turn < MaxTurns; ++turn)
   {
-    if (!monitor(static_cast<double>(turn) / MostTurns))
+    if (!monitor(static_cast<double>(turn) / MaxTurns))
     {
       this->UndoDraft(threads);
       return false;
@@ -209,7 +209,7 @@ void Editor::Undo(const std::vector<Index>& edits)
     for (const VertexId v : { entry.Keep, entry.Gone })
     {
       std::uint8_t& count = this->Drafted->Failures[v];
-      count = static_cast<std::uint8_t>(std::min(MostFailures, count + 1));
+      count = static_cast<std::uint8_t>(std::min(MaxFailures, count + 1));
       failures = std::max<int>(failures, count);
     }
     for (int more = FailuresWithoutMore; more < failures; ++more)

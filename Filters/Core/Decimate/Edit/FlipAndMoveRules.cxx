@@ -29,21 +29,36 @@ struct Face
 bool IsTurned(const Face& before, const Face& after)
 {
   return before.Area > 0.0 &&
-    Dot(before.Vector, after.Vector) < LeastCosine * before.Area * after.Area;
+    Dot(before.Vector, after.Vector) < MinCosine * before.Area * after.Area;
 }
 
 /// @param quality Quality of the worst face before the edit.
 bool IsNeedle(const Face& after, double quality)
 {
-  return !(after.Area > 0.0) ||
-    (after.Quality < LeastQualityOfSmallEdit && after.Quality < quality);
+  return !(after.Area > 0.0) || (after.Quality < MinQualityOfSmallEdit && after.Quality < quality);
 }
 
 Rejection RejectionOfConstrained(VertexConstraint kind)
 {
   return kind == VertexConstraint::Constrained ? Rejection::Constrained : Rejection::NonManifold;
 }
+}
 
+std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, HalfEdgeId edge)
+{
+  const HalfEdgeId twin = mesh.Twin(edge);
+  return { mesh.Origin(edge), mesh.Origin(twin), mesh.Origin(HalfEdgeMesh::Previous(edge)),
+    mesh.Origin(HalfEdgeMesh::Previous(twin)) };
+}
+
+//------------------------------------------------------------------------------
+std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners)
+{
+  return { mesh.Position(corners[0]), mesh.Position(corners[1]), mesh.Position(corners[2]),
+    mesh.Position(corners[3]) };
+}
+
+//------------------------------------------------------------------------------
 Rejection CheckFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners)
 {
   for (const Index corner : corners)
@@ -68,20 +83,18 @@ Rejection CheckFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>
   mesh.VisitEdges(from, [&](HalfEdgeId h) { joined = joined || mesh.Across(h, from) == to; });
   return joined ? Rejection::LinkCondition : Rejection::NotRejected;
 }
-}
-
-std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, HalfEdgeId edge)
-{
-  const HalfEdgeId twin = mesh.Twin(edge);
-  return { mesh.Origin(edge), mesh.Origin(twin), mesh.Origin(HalfEdgeMesh::Previous(edge)),
-    mesh.Origin(HalfEdgeMesh::Previous(twin)) };
-}
 
 //------------------------------------------------------------------------------
-std::array<Vector3, 4> PositionsOf(const HalfEdgeMesh& mesh, const std::array<Index, 4>& corners)
+bool KeepsShape(const std::array<Vector3, 4>& corners)
 {
-  return { mesh.Position(corners[0]), mesh.Position(corners[1]), mesh.Position(corners[2]),
-    mesh.Position(corners[3]) };
+  const auto& [a, b, c, d] = corners;
+  const std::array<Face, 2> before = { Face(a, b, c), Face(b, a, d) };
+  const double worst = std::min(before[0].Quality, before[1].Quality);
+  const std::array<Face, 2> afterwards = { Face(a, d, c), Face(b, c, d) };
+  return std::all_of(afterwards.begin(), afterwards.end(),
+    [&](const Face& after) {
+      return !IsNeedle(after, worst) && !IsTurned(before[0], after) && !IsTurned(before[1], after);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -155,6 +168,20 @@ Rejection CheckMove(
 }
 
 //------------------------------------------------------------------------------
+Rejection CheckNewFace(const HalfEdgeMesh& mesh, FaceId old, const std::array<Vector3, 3>& corners)
+{
+  const auto [a, b, c] = PositionsOf(mesh, old);
+  const Face before(a, b, c);
+  const Face after(corners[0], corners[1], corners[2]);
+  if (IsNeedle(after, before.Quality))
+  {
+    return Rejection::Degenerate;
+  }
+  return IsTurned(before, after) || mesh.IsTurnedOver(old, after.Vector) ? Rejection::Flip
+                                                                         : Rejection::NotRejected;
+}
+
+//------------------------------------------------------------------------------
 Rejection CheckNewFaces(const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange)
 {
   const Vector3 origin = change.Position;
@@ -168,18 +195,12 @@ Rejection CheckNewFaces(const HalfEdgeMesh& mesh, const SurfaceChange& change, d
   }
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
+    const Rejection rejection = CheckNewFace(mesh, face.Old(), face.Corners);
+    if (rejection != Rejection::NotRejected)
+    {
+      return rejection;
+    }
     const auto& [a, b, c] = face.Corners;
-    const Triangle v = mesh.Corners(face.Old());
-    const Face before(mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]));
-    const Face after(a, b, c);
-    if (IsNeedle(after, before.Quality))
-    {
-      return Rejection::Degenerate;
-    }
-    if (IsTurned(before, after) || mesh.IsTurnedOver(face.Old(), after.Vector))
-    {
-      return Rejection::Flip;
-    }
     volumeChange += volume(a, b, c);
   }
   return Rejection::NotRejected;

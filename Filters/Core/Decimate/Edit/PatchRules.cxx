@@ -106,6 +106,13 @@ bool JoinsPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Inde
 //------------------------------------------------------------------------------
 Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexRange range)
 {
+  // Most edges are far from other patches; only stationary and constrained vertices have duplicates.
+  const auto isAlone = [&](VertexId v) { return mesh.Constraint(v) <= VertexConstraint::Boundary; };
+  if (isAlone(around.Start) && isAlone(around.End) &&
+    std::all_of(around.Ring.begin(), around.Ring.end(), isAlone))
+  {
+    return Decision::Accept();
+  }
   const auto isOut = [&](VertexId v) { return IsOutOfRange(mesh, v, range); };
   if (isOut(around.Start) || isOut(around.End) ||
     std::any_of(around.Ring.begin(), around.Ring.end(), isOut))

@@ -10,18 +10,18 @@
 namespace bonedecimate
 {
 /// Cosine of the largest rotation of a face in one step, 78 degrees; 90 would allow a face perpendicular to the surface.
-constexpr double LeastCosine = 0.2;
+constexpr double MinCosine = 0.2;
 
 /// Quality of a triangle: this factor times its area over the sum of its squared edges, 1 if it is equilateral.
 constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
 
 /// Below these limits no face may become worse than before. The limit of collapses is low: 0.05 would cost 6 to 9 % of
 /// accuracy where few triangles remain. Flips and moves, which are many and come last, lose nothing by a higher limit.
-constexpr double LeastQualityOfCollapse = 0.005;
-constexpr double LeastQualityOfSmallEdit = 0.02;
+constexpr double MinQualityOfCollapse = 0.005;
+constexpr double MinQualityOfSmallEdit = 0.02;
 /// What a collapse leaves of the quality of a face that has not become worse. Parallel needles, as on the wall of a fine cylinder, lose
 /// the square of a small angle when one of their ends moves across.
-constexpr double LeastRatioOfQuality = 0.99999;
+constexpr double MinRatioOfQuality = 0.99999;
 }
 
 #endif

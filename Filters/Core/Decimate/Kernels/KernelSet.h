@@ -152,7 +152,7 @@ void EvaluateEdges(const EdgeBatch& batch, EdgeResults& results)
     (freedom != static_cast<std::int32_t>(Freedom::Nowhere)) & (cost < never);
   const Floats costs = Select(counts, cost, zero + never);
   Store(costs, results.Costs);
-  results.Least = LeastOf(costs);
+  results.Least = MinOf(costs);
   Store(half.X + x.X, results.Moves[0]);
   Store(half.Y + x.Y, results.Moves[1]);
   Store(half.Z + x.Z, results.Moves[2]);
@@ -199,10 +199,10 @@ void CheckFan(Fan& fan, FanValidity& validity)
     const DoubleMask hasArea = areaAfter > 0.0; // false for NaN, too
     degenerate |= isFace &
       (~hasArea |
-        ((qualityAfter < LeastQualityOfCollapse) &
-          (qualityAfter < LeastRatioOfQuality * qualityBefore)));
+        ((qualityAfter < MinQualityOfCollapse) &
+          (qualityAfter < MinRatioOfQuality * qualityBefore)));
     flip |=
-      isFace & (areaBefore > 0.0) & (before.Dot(after) < LeastCosine * (areaBefore * areaAfter));
+      isFace & (areaBefore > 0.0) & (before.Dot(after) < MinCosine * (areaBefore * areaAfter));
     const Doubles change = (after - before).Dot(second);
     volume += Select(isFace, change, zero);
   }
@@ -225,7 +225,7 @@ inline double DistanceToNewFan(const Fan& fan, const double (&from)[3])
       position, LoadVectors(fan.Ring, i) - point, LoadVectors(fan.Ring, i + 1) - point);
     least = Smaller(Select(IsFace(i, fan.Faces), squared, far), least);
   }
-  return Root(LeastOfDoubles(least));
+  return Root(MinOfDoubles(least));
 }
 
 /// Distance of the merged vertex to the faces at both ends before the collapse, mm.
@@ -245,7 +245,7 @@ inline double DistanceToOldFan(const Fan& fan)
       corner, LoadVectors(fan.Ring, i) - position, LoadVectors(fan.Ring, i + 1) - position);
     least = Smaller(Select(IsFace(i, fan.Faces), squared, far), least);
   }
-  return Root(LeastOfDoubles(least));
+  return Root(MinOfDoubles(least));
 }
 
 double LeaveBehind(const Fan& fan, double atStart, double atEnd)

@@ -25,7 +25,7 @@ struct EdgeBatch
   static constexpr int Size = 8;
   const VertexRecord* First = nullptr;
   const VertexRecord* Others[Size] = {};
-  std::int32_t Freedoms[Size] = {};   ///< Of type Freedom.
+  std::int32_t Freedoms[Size] = {};   ///< Values of type Freedom.
   float AccumulatedErrors[Size] = {}; ///< The larger accumulated error of both ends, units.
   int Count = 0;
   double PerUnit = 1.0;   ///< 1 / unit, 1/mm
@@ -35,7 +35,7 @@ struct EdgeBatch
 struct EdgeResults
 {
   float Costs[EdgeBatch::Size];    ///< Infinite: never.
-  float Least;                     ///< Of the costs.
+  float Least;                     ///< Least of the costs.
   float Moves[3][EdgeBatch::Size]; ///< From First, units.
 };
 

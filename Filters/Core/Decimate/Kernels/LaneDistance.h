@@ -41,7 +41,7 @@ inline Doubles SquaredDistanceToTriangle(
   return Select(over, height * height / square, sides);
 }
 
-inline double LeastOfDoubles(Doubles lanes)
+inline double MinOfDoubles(Doubles lanes)
 {
   double result = lanes[0];
   for (int lane = 1; lane < NumberOfDoubles; ++lane)

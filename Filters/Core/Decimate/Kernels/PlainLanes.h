@@ -193,7 +193,7 @@ inline void TransposeHalves(Floats (&r)[4])
     r[k] = columns[k];
   }
 }
-inline float LeastOf(const Floats& x)
+inline float MinOf(const Floats& x)
 {
   float least = x.At[0];
   for (const float at : x.At)

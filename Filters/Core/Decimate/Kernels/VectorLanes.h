@@ -96,7 +96,7 @@ inline void TransposeHalves(Floats (&r)[4])
   r[3] = __builtin_shufflevector(b, d, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
-inline float LeastOf(Floats x)
+inline float MinOf(Floats x)
 {
   x = Least(x, __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3));
   x = Least(x, __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5));

@@ -26,7 +26,7 @@
 
 namespace bonedecimate
 {
-constexpr float QuadricRidge = 1e-5F;        ///< Of the mean eigenvalue of M.
+constexpr float QuadricRidge = 1e-5F;        ///< Fraction of the mean eigenvalue of M.
 constexpr float FarthestMoveSquared = 16.0F; ///< (2 lengths)^2 in squares of half a length.
 
 /// From the middle of the edge, units; for Freedom::Nowhere as for Space.

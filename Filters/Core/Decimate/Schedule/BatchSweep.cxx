@@ -10,9 +10,9 @@ namespace bonedecimate
 namespace
 {
 /// Vertices of a batch.
-constexpr std::size_t LeastBatch = 8;
+constexpr std::size_t MinBatch = 8;
 constexpr std::size_t FirstBatch = 32;
-constexpr std::size_t MostBatch = 128;
+constexpr std::size_t MaxBatch = 128;
 /// A batch shrinks if more than one collapse in this many was found in vain, and grows if less than one in four times as many.
 constexpr std::size_t CollapsesForOneInVain = 8;
 /// Vertices that wait, in batches: no list is read while there are more.
@@ -25,9 +25,9 @@ BatchSweep::BatchSweep(
   , Evaluate(evaluate)
   , Known(buckets)
   , Lists(editor.Mesh(), evaluate, buckets)
-  , Team(static_cast<int>(std::min<std::size_t>(ThreadsToUse(threads), MostBatch)))
-  , Candidates(MostBatch)
-  , MostInBatch(FirstBatch)
+  , Team(static_cast<int>(std::min<std::size_t>(ThreadsToUse(threads), MaxBatch)))
+  , Candidates(MaxBatch)
+  , MaxInBatch(FirstBatch)
   , ReservedBy(buckets.Buckets.size(), 0)
 {
 }
@@ -72,19 +72,18 @@ void BatchSweep::FillBatch()
   {
     this->Take(listed);
   }
-  while (
-    this->Size < this->MostInBatch && this->Waiting.size() < BatchesThatWait * this->MostInBatch)
+  while (this->Size < this->MaxInBatch && this->Waiting.size() < BatchesThatWait * this->MaxInBatch)
   {
     if (this->NextReady == this->Ready.size())
     {
-      this->HighestOfReady = this->Lists.TakeLowest(this->Ready);
+      this->MaxOfReady = this->Lists.TakeLowest(this->Ready);
       this->NextReady = 0;
     }
     if (this->Ready.empty())
     {
       return;
     }
-    this->Take({ this->Ready[this->NextReady++], this->HighestOfReady });
+    this->Take({ this->Ready[this->NextReady++], this->MaxOfReady });
   }
 }
 
@@ -96,7 +95,7 @@ void BatchSweep::Take(const Listed& listed)
   {
     return;
   }
-  if (this->Size == this->MostInBatch || !this->ReserveRing(listed.Vertex))
+  if (this->Size == this->MaxInBatch || !this->ReserveRing(listed.Vertex))
   {
     this->Waiting.push_back(listed);
     return;
@@ -208,11 +207,11 @@ void BatchSweep::ChangeBatchSize(std::size_t collapses, std::size_t inVain)
 {
   if (inVain * CollapsesForOneInVain > collapses)
   {
-    this->MostInBatch = std::max(LeastBatch, this->MostInBatch / 2);
+    this->MaxInBatch = std::max(MinBatch, this->MaxInBatch / 2);
   }
   else if (inVain * 4 * CollapsesForOneInVain <= collapses)
   {
-    this->MostInBatch = std::min(MostBatch, this->MostInBatch + this->MostInBatch / 4);
+    this->MaxInBatch = std::min(MaxBatch, this->MaxInBatch + this->MaxInBatch / 4);
   }
 }
 }

@@ -47,7 +47,7 @@ private:
   struct Listed
   {
     VertexId Vertex;
-    CostBucket Highest = NeverBucket; ///< Of the list.
+    CostBucket Highest = NeverBucket; ///< Highest bucket of the list.
   };
   struct Box
   {
@@ -61,7 +61,7 @@ private:
     VertexEdges Edges;
     Workspace Space;
     CollapseSearch::Result Found;
-    Box Changes;        ///< Of the faces that an accepted collapse changes.
+    Box Changes;        ///< Box of the faces that an accepted collapse changes.
     double Reach = 0.0; ///< mm, around it: what the search read.
   };
 
@@ -83,10 +83,10 @@ private:
   WorkerTeam Team;
   std::vector<Candidate> Candidates; // memory of the batch
   std::size_t Size = 0;              // of the batch
-  std::size_t MostInBatch;
+  std::size_t MaxInBatch;
   std::vector<Index> Ready; // the lowest list, of which those before NextReady were taken
   std::size_t NextReady = 0;
-  CostBucket HighestOfReady = NeverBucket;
+  CostBucket MaxOfReady = NeverBucket;
   std::vector<Listed> Waiting, Retried; // for the next batch; of the one being filled
   std::vector<std::uint32_t>
     ReservedBy; // of each vertex, the last batch that has it in a closed ring

@@ -23,11 +23,12 @@ namespace bonedecimate
 /// The upper 16 bits below the sign of a cost: ordered like costs, 256 buckets per factor of two.
 using CostBucket = std::uint16_t;
 constexpr CostBucket NeverBucket = 0xFFFF;
-constexpr CostBucket LastBucket = NeverBucket - 1; ///< Of the vertices with an edge to collapse.
+constexpr CostBucket LastBucket =
+  NeverBucket - 1; ///< Last bucket of vertices with an edge to collapse.
 constexpr int BucketsPerDoubling = 256;
 constexpr int BucketsPerList = BucketsPerDoubling / 8;
 
-/// Of a cost of 0 or more; infinite ones never come up.
+/// The bucket of a cost of 0 or more; infinite ones never come up.
 inline CostBucket BucketOf(float cost)
 {
   std::uint32_t bits = 0;

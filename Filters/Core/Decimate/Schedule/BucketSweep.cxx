@@ -16,10 +16,10 @@ namespace bonedecimate
 namespace
 {
 /// Vertices of a block that are still there, on average: sixteen blocks, within limits.
-constexpr Index LeastOfBlock = 2048;
-constexpr Index MostOfBlock = 16384;
+constexpr Index MinOfBlock = 2048;
+constexpr Index MaxOfBlock = 16384;
 /// Proofs are worth more blocks.
-constexpr Index LeastOfProvedBlock = 512;
+constexpr Index MinOfProvedBlock = 512;
 constexpr Index RenewBelowDivisor = 50;
 constexpr Index BlocksForRounds = 8; // that are worth it
 /// Fraction of the remaining collapses that a round aims at, to stay below the final limit.
@@ -96,7 +96,7 @@ StopReason BucketSweep::RunTo(const StopTargets& stops, const Monitor& monitor)
 //------------------------------------------------------------------------------
 bool BucketSweep::HasRounds() const
 {
-  const Index least = this->MeshEditor.LimitsEdits() ? LeastOfProvedBlock : LeastOfBlock;
+  const Index least = this->MeshEditor.LimitsEdits() ? MinOfProvedBlock : MinOfBlock;
   return this->MeshEditor.Mesh().NumberOfVertexSlots() >= BlocksForRounds * least;
 }
 
@@ -122,8 +122,7 @@ bool BucketSweep::RunRounds(const Monitor& monitor)
     if (round > 0)
     {
       const double perBucket = std::max(1, wanted - left) / static_cast<double>(step);
-      step =
-        static_cast<int>(std::clamp<double>(RoundFraction * left / perBucket, 1.0, LargestStep));
+      step = static_cast<int>(std::clamp<double>(RoundFraction * left / perBucket, 1.0, MaxStep));
     }
     goesUp = limit < LastBucket; // above the last bucket, nothing may be collapsed
     limit = Raised(limit, step);
@@ -220,8 +219,8 @@ Index BucketSweep::BlockSize() const
 {
   const Index slots = this->MeshEditor.Mesh().NumberOfVertexSlots();
   const Index live = std::max(1, this->MeshEditor.Mesh().NumberOfFaces() / 2);
-  const Index least = this->MeshEditor.LimitsEdits() ? LeastOfProvedBlock : LeastOfBlock;
-  const std::int64_t wanted = std::clamp(live / 16, least, MostOfBlock);
+  const Index least = this->MeshEditor.LimitsEdits() ? MinOfProvedBlock : MinOfBlock;
+  const std::int64_t wanted = std::clamp(live / 16, least, MaxOfBlock);
   return static_cast<Index>(std::min<std::int64_t>(slots, wanted * slots / live));
 }
 

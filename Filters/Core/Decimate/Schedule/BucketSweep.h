@@ -24,7 +24,7 @@
  *               one edge of a vertex, best position only; edges that cannot be proved wait for the next pass
  *     pass 1 and later:  such a sweep; buckets are computed only near changes
  *               all edges of a vertex, each with the best position, its middle, its ends, and others near the best
- *     end:      a pass removes less than one face in 128 (LeastOfPass), or the target is reached
+ *     end:      a pass removes less than one face in 128 (MinOfPass), or the target is reached
  *
  * Where only voxels limit the edits, the passes are rounds as those of the draft, because these checks are short.
  *
@@ -59,7 +59,7 @@ public:
   StopReason RunTo(const StopTargets& stops, const Monitor& monitor);
 
 private:
-  static constexpr int LargestStep = 4 * BucketsPerDoubling; ///< By which a limit is raised.
+  static constexpr int MaxStep = 4 * BucketsPerDoubling; ///< By which a limit is raised.
 
   bool RenewAll(const Monitor& monitor);
   Index RemainingCollapses() const;
@@ -73,7 +73,7 @@ private:
   bool Round(CostBucket limit, const Monitor& monitor);
   struct BlockCut
   {
-    Index Size;     ///< Of a block, vertex slots.
+    Index Size;     ///< Vertex slots of a block.
     bool IsShifted; ///< By half of one.
   };
   bool SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& monitor);

@@ -29,13 +29,13 @@ CollapseSearch::Result CollapseSearch::Find(
   }
   CostBucket rejectedUntil = NeverBucket;
   bool crosses = false;
-  CostBucket bucket = BucketOf(edges.LeastCost());
+  CostBucket bucket = BucketOf(edges.MinCost());
   for (; this->Known.IsRejected(vertex) && bucket < this->Known.Buckets[vertex];
-       bucket = BucketOf(edges.LeastCost()))
+       bucket = BucketOf(edges.MinCost()))
   {
     edges.TakeCheapest();
   }
-  for (; bucket <= highest; bucket = BucketOf(edges.LeastCost()))
+  for (; bucket <= highest; bucket = BucketOf(edges.MinCost()))
   {
     const Trial trial = this->TryEdge(vertex, edges.TakeCheapest(), CostOf(highest));
     if (trial == Trial::TooFar && task.TriesAll())

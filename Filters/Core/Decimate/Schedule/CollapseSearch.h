@@ -43,7 +43,7 @@ public:
   struct Result
   {
     Outcome Of = Outcome::Rejected;
-    CostBucket Bucket = NeverBucket; ///< Of the vertex if it is rejected.
+    CostBucket Bucket = NeverBucket; ///< Bucket of the vertex if it is rejected.
     double AccumulatedError = 0.0;   ///< Units, of the merged vertex if it is accepted.
     bool IsLasting = true; ///< Whether a rejection holds until something around the vertex changes.
   };

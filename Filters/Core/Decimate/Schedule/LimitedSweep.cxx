@@ -9,7 +9,7 @@ namespace bonedecimate
 namespace
 {
 /// No further pass after one that removes less than one face in this many.
-constexpr Index LeastOfPass = 128;
+constexpr Index MinOfPass = 128;
 }
 
 /// The final number of faces is not known. Rejected edges wait for the next pass, which tries all positions.
@@ -23,7 +23,7 @@ StopReason BucketSweep::RunProved(const Monitor& monitor)
   Index facesBefore = 0;
   for (int pass = 0; !this->End.IsReached(); ++pass)
   {
-    if (pass > 1 && facesBefore - mesh.NumberOfFaces() <= facesBefore / LeastOfPass)
+    if (pass > 1 && facesBefore - mesh.NumberOfFaces() <= facesBefore / MinOfPass)
     {
       return this->MeshEditor.MetItsLimit() ? StopReason::ErrorReached : StopReason::NothingLeft;
     }
@@ -92,7 +92,7 @@ bool BucketSweep::PassInRounds(const Monitor& monitor)
   bool goesOn = !this->HasRounds() || this->Round(limit, monitor);
   while (goesOn && limit < LastBucket && !this->End.IsReached())
   {
-    limit = Raised(limit, LargestStep);
+    limit = Raised(limit, MaxStep);
     goesOn = this->Round(limit, monitor);
   }
   return goesOn &&

@@ -13,8 +13,8 @@ namespace bonedecimate
 namespace
 {
 constexpr float Never = std::numeric_limits<float>::infinity();
-/// An edge of a vertex with more has more than MostFacesOfEdit: such a vertex has no edge to collapse.
-constexpr std::size_t MostBatches = MostFacesOfEdit / EdgeBatch::Size + 1;
+/// An edge of a vertex with more has more than MaxFacesOfEdit: such a vertex has no edge to collapse.
+constexpr std::size_t MaxBatches = MaxFacesOfEdit / EdgeBatch::Size + 1;
 }
 
 //------------------------------------------------------------------------------
@@ -33,7 +33,7 @@ void VertexEdges::Gather(
     [&](HalfEdgeId h, Index other)
     {
       inside = inside && block.Contains(other);
-      if (!inside || this->Used > MostBatches)
+      if (!inside || this->Used > MaxBatches)
       {
         return false; // The vertices that follow may be changing just now.
       }
@@ -54,7 +54,7 @@ void VertexEdges::Gather(
       requested.Count = ++at;
       return true;
     });
-  this->Used = this->Used > MostBatches ? 0 : this->Used;
+  this->Used = this->Used > MaxBatches ? 0 : this->Used;
   this->Inside = inside;
 }
 
@@ -84,7 +84,7 @@ void VertexEdges::Evaluate(const EdgeEvaluator& evaluate)
 }
 
 //------------------------------------------------------------------------------
-float VertexEdges::LeastCost() const
+float VertexEdges::MinCost() const
 {
   float least = Never;
   for (std::size_t i = 0; i < this->Used; ++i)
@@ -97,7 +97,7 @@ float VertexEdges::LeastCost() const
 //------------------------------------------------------------------------------
 VertexEdges::Candidate VertexEdges::TakeCheapest()
 {
-  const float least = this->LeastCost();
+  const float least = this->MinCost();
   Candidate taken;
   for (std::size_t i = 0; i < this->Used && least < Never; ++i)
   {
@@ -112,7 +112,11 @@ VertexEdges::Candidate VertexEdges::TakeCheapest()
         taken.Move[k] = results.Moves[k][lane];
       }
       *at = Never;
-      results.Least = *std::min_element(results.Costs, results.Costs + EdgeBatch::Size);
+      results.Least = Never;
+      for (const float cost : results.Costs)
+      {
+        results.Least = std::min(results.Least, cost);
+      }
       break;
     }
   }

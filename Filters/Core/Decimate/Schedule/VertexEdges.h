@@ -24,7 +24,7 @@ struct VertexBuckets
   /// Accumulated error of the collapses into the vertex, units of the mesh.
   std::vector<float> AccumulatedErrors;
   float CostFactor = 1.0F; ///< CostNormalization() of Decimate/Cost/QuadricDeviation.h.
-  /// Of Decimate/Cost/SpikePenalty.h.
+  /// The factor of Decimate/Cost/SpikePenalty.h.
   double SpikeFactor = 0.0;
   /// Only if edits are limited, of each vertex: what has to be done again because something around it has changed.
   std::vector<std::uint8_t> Changed;
@@ -82,8 +82,8 @@ public:
   void Forget() { this->Middle = None; }
   /// Whether no edge leads out of the block.
   bool AreInside() const { return this->Inside; }
-  /// Of the edges not taken yet; infinite if there is none.
-  float LeastCost() const;
+  /// The least cost of the edges not taken yet; infinite if there is none.
+  float MinCost() const;
   Candidate TakeCheapest();
 
 private:

@@ -51,7 +51,7 @@ void VertexLists::Renew(VertexId vertex, VertexRange within)
 {
   this->Edges.Gather(this->Mesh, this->Known, vertex, within);
   this->Edges.Evaluate(this->Evaluate);
-  this->SetBucket(vertex, BucketOf(this->Edges.LeastCost()));
+  this->SetBucket(vertex, BucketOf(this->Edges.MinCost()));
 }
 
 //------------------------------------------------------------------------------

@@ -67,7 +67,7 @@ double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
 }
 
 //------------------------------------------------------------------------------
-/// Of the edge between the faces, from one corner to another.
+/// Error of the edge between the faces, from one corner to another.
 double EdgeFlipper::ErrorOfChord(
   const Pair& pair, const std::array<Index, 4>& corners, std::size_t from, std::size_t to) const
 {
@@ -104,7 +104,7 @@ bool EdgeFlipper::TurnsAway(
       Dot(pair.Frames[0].UnitNormal(), original), Dot(pair.Frames[1].UnitNormal(), original));
   };
   const double now = facing(after);
-  return now < LeastFacing * original.norm() && now < facing(before);
+  return now < MinFacing * original.norm() && now < facing(before);
 }
 
 //------------------------------------------------------------------------------

@@ -13,18 +13,18 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int MostRounds = 8;
+constexpr int MaxRounds = 8;
 /// An edge as long as a bone halves to any useful length in fewer.
-constexpr int MostSplitPasses = 24;
+constexpr int MaxSplitPasses = 24;
 /// No further round after one that collapses and splits less than one edge for this many faces.
-constexpr std::int64_t LeastOfRound = 256;
+constexpr std::int64_t MinOfRound = 256;
 }
 
 EdgeSizer::EdgeSizer(Editor& editor, const ShapeLimits& limits, int threads)
   : MeshEditor(editor)
   , Limits(limits)
   , Lengths(limits.Local, editor.Mesh(), threads)
-  , Edges(editor, limits.LargestCosine, CosineOfRelaxed)
+  , Edges(editor, limits.MaxCosine, CosineOfRelaxed)
 {
 }
 
@@ -53,17 +53,16 @@ bool EdgeSizer::Run(Index faces, const Monitor& monitor)
   const Monitor rounds = PartOf(monitor, 0.0, roundsAt);
   bool goesOn = true;
   bool isWorthIt = true;
-  for (int i = 0; i < MostRounds && goesOn && isWorthIt; ++i)
+  for (int i = 0; i < MaxRounds && goesOn && isWorthIt; ++i)
   {
     const auto edits = [this]
     { return this->MeshEditor.NumberOfCollapses() + this->MeshEditor.NumberOfSplits(); };
     const std::int64_t before = edits();
-    const Monitor round =
-      PartOf(rounds, static_cast<double>(i) / MostRounds, (i + 1.0) / MostRounds);
+    const Monitor round = PartOf(rounds, static_cast<double>(i) / MaxRounds, (i + 1.0) / MaxRounds);
     goesOn = this->Collapse(faces, PartOf(round, 0.0, collapsedAt)) &&
       this->Split(faces, PartOf(round, collapsedAt, splitAt)) &&
       ShapeImprover::Relax(this->MeshEditor, PartOf(round, splitAt, 1.0));
-    isWorthIt = (edits() - before) * LeastOfRound >= this->MeshEditor.Mesh().NumberOfFaces();
+    isWorthIt = (edits() - before) * MinOfRound >= this->MeshEditor.Mesh().NumberOfFaces();
   }
   return goesOn && this->Split(faces, PartOf(monitor, roundsAt, 1.0));
 }
@@ -96,10 +95,10 @@ bool EdgeSizer::Split(Index faces, const Monitor& monitor)
   }
   std::int64_t splits = 1;
   bool goesOn = true;
-  for (int pass = 0; pass < MostSplitPasses && splits > 0 && goesOn; ++pass)
+  for (int pass = 0; pass < MaxSplitPasses && splits > 0 && goesOn; ++pass)
   {
     const Monitor part =
-      PartOf(monitor, static_cast<double>(pass) / MostSplitPasses, (pass + 1.0) / MostSplitPasses);
+      PartOf(monitor, static_cast<double>(pass) / MaxSplitPasses, (pass + 1.0) / MaxSplitPasses);
     goesOn = this->SplitOnce(faces, splits, part);
   }
   return goesOn && monitor(1.0);
@@ -109,7 +108,7 @@ bool EdgeSizer::Split(Index faces, const Monitor& monitor)
 bool EdgeSizer::SplitOnce(Index faces, std::int64_t& splits, const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, this->Limits.LeastOfLongest());
+  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, this->Limits.MinOfLongest());
   splits = 0;
   return ForEachOf(edges.size(), monitor,
     [&](std::size_t i)

@@ -12,12 +12,12 @@ namespace bonedecimate
 namespace
 {
 /// Least number of edges to evaluate.
-constexpr std::size_t LeastEdges = 512;
+constexpr std::size_t MinEdges = 512;
 /// Factor of the number of edges after all were rejected.
 constexpr std::size_t MoreEdges = 4;
 constexpr Index TargetBlocks = 32;
 /// Fewer collapses than that are not worth blocks.
-constexpr std::size_t LeastForBlocks = 1024;
+constexpr std::size_t MinForBlocks = 1024;
 }
 
 ErrorCollapse::ErrorCollapse(
@@ -37,14 +37,14 @@ bool ErrorCollapse::Run(Index faces, const Monitor& monitor)
   constexpr double measuredAt = 0.1;
   constexpr double evaluatedAt = 0.6;
   this->TargetFaces = faces;
-  const double blocksAt = this->RemainingCollapses() < LeastForBlocks ? evaluatedAt : 0.85;
+  const double blocksAt = this->RemainingCollapses() < MinForBlocks ? evaluatedAt : 0.85;
   if (!this->Errors.MeasureAll(this->Threads, PartOf(monitor, 0.0, measuredAt)))
   {
     return false;
   }
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const std::size_t mostEdges = 2 * static_cast<std::size_t>(mesh.NumberOfFaces());
-  std::size_t edges = std::max(LeastEdges, this->EdgesOfCollapse * this->RemainingCollapses());
+  std::size_t edges = std::max(MinEdges, this->EdgesOfCollapse * this->RemainingCollapses());
   double from = measuredAt; // further rounds report the end
   for (Index before = None; this->RemainingCollapses() > 0; edges *= MoreEdges)
   {
@@ -82,7 +82,7 @@ bool ErrorCollapse::EvaluateCheapest(std::size_t count, const Monitor& monitor)
   {
     return false;
   }
-  this->MostQuadricCost = edges.empty() ? 0.0F : std::max_element(edges.begin(), edges.end())->Cost;
+  this->MaxQuadricCost = edges.empty() ? 0.0F : std::max_element(edges.begin(), edges.end())->Cost;
   this->Edges.resize(edges.size());
   const bool done = ForEachChunk(edges.size(), this->Threads, PartOf(monitor, foundAt, 1.0),
     [&](std::size_t, std::size_t first, std::size_t last)
@@ -124,7 +124,7 @@ std::vector<ErrorBlock> ErrorCollapse::Blocks(Index size, Index shift) const
   for (Index first = -shift; first < slots; first += size)
   {
     blocks.push_back({ std::max(0, first), std::min(slots, first + size), limit,
-      this->MostQuadricCost, TargetBlocks });
+      this->MaxQuadricCost, TargetBlocks });
   }
   return blocks;
 }
@@ -137,7 +137,7 @@ bool ErrorCollapse::CollapseBlocks(const Monitor& monitor)
   bool goesOn = true;
   for (const bool again : { false, true })
   {
-    if (goesOn && this->RemainingCollapses() >= LeastForBlocks && !this->Edges.empty())
+    if (goesOn && this->RemainingCollapses() >= MinForBlocks && !this->Edges.empty())
     {
       goesOn = this->CollapseRound(
         size, again ? size / 2 : 0, again ? PartOf(monitor, 0.7, 1.0) : PartOf(monitor, 0.0, 0.7));
@@ -186,7 +186,7 @@ bool ErrorCollapse::CollapseRest(const Monitor& monitor)
 {
   constexpr std::size_t tellEvery = 8; // edges
   ErrorBlock whole;
-  whole.MostQuadricCost = this->MostQuadricCost;
+  whole.MaxQuadricCost = this->MaxQuadricCost;
   ErrorQueue queue(this->MeshEditor, this->Fit, this->Back, this->Errors, whole);
   for (const EvaluatedEdge& edge : this->Edges)
   {

@@ -49,7 +49,7 @@ private:
   std::size_t EdgesOfCollapse;
   int Threads;
   Index TargetFaces = 0;            // faces
-  float MostQuadricCost = 0.0F;     // by quadrics, of the evaluated edges
+  float MaxQuadricCost = 0.0F;      // by quadrics, of the evaluated edges
   std::vector<EvaluatedEdge> Edges; // waiting
 };
 }

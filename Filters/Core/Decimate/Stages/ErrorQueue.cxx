@@ -104,7 +104,7 @@ bool ErrorQueue::Collapse(const EvaluatedEdge& edge)
   RateEdges(this->MeshEditor.Mesh(), edit.Keep, false, this->Candidates);
   for (const RatedEdge& candidate : this->Candidates)
   {
-    if (candidate.Cost <= this->Block.MostQuadricCost)
+    if (candidate.Cost <= this->Block.MaxQuadricCost)
     {
       this->Push(candidate);
     }

@@ -48,8 +48,8 @@ struct ErrorBlock
   Index First = 0;
   Index Last = std::numeric_limits<Index>::max();
   double Limit = std::numeric_limits<double>::infinity(); // cost above which an edge is left over
-  float MostQuadricCost = 0.0F; // by quadrics; edges above it are not evaluated
-  int Workers = 1;              // that work at the same time
+  float MaxQuadricCost = 0.0F; // by quadrics; edges above it are not evaluated
+  int Workers = 1;             // that work at the same time
 
   bool Holds(VertexId v) const { return v >= this->First && v < this->Last; }
 };

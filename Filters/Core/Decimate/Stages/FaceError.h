@@ -16,7 +16,7 @@
 namespace bonedecimate
 {
 /// Cosine between a face and the original (78 degrees) below which flips and moves may not turn it farther away.
-constexpr double LeastFacing = 0.2;
+constexpr double MinFacing = 0.2;
 
 /// Whether two faces fold by more than 90 degrees: there the edge between them may be a chord, which lies far from the
 /// original without any sample to see it.

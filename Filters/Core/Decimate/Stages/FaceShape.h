@@ -13,7 +13,7 @@
 namespace bonedecimate
 {
 /// By how much an edit has to lower the cosine of a smallest angle to be worth its proof.
-constexpr double LeastGainOfCosine = 0.002;
+constexpr double MinGainOfCosine = 0.002;
 
 inline double CosineOfFace(const HalfEdgeMesh& mesh, FaceId face)
 {

@@ -11,7 +11,7 @@ namespace bonedecimate
 namespace
 {
 constexpr Index PassesForAll = 4;
-constexpr int MostPasses = 16;
+constexpr int MaxPasses = 16;
 constexpr Index CandidatesBetweenWords = 256; // to the monitor
 
 /// The half-edge of the boundary of v's patch between v and a duplicate of the other original vertex; None if there is
@@ -99,7 +99,7 @@ FeatureCurveCollapse::Result FeatureCurveCollapse::Run(
   const Index most =
     1 + std::max(0, this->FeatureCurves.NumberOfEdges() - targets.Edges) / PassesForAll;
   const auto isFine = [&] { return this->FeatureCurves.NumberOfEdges() > targets.Edges; };
-  for (int pass = 0; pass < MostPasses && isFine(); ++pass)
+  for (int pass = 0; pass < MaxPasses && isFine(); ++pass)
   {
     const Index gone = this->Pass(targets, most, monitor, result);
     result.Gone += gone;

@@ -14,8 +14,8 @@ namespace
 constexpr double FacesOfStage = 0.25;
 constexpr double EdgesOfBound = 0.5;
 /// Once the loop is stuck, it runs again only after the curves have lost more than one edge in this many.
-constexpr Index LeastOfLines = 128;
-constexpr double LeastRatioOfCurve = 1e-12;
+constexpr Index MinOfLines = 128;
+constexpr double MinRatioOfCurve = 1e-12;
 
 class Stages
 {
@@ -50,8 +50,8 @@ public:
       const FeatureCurveCollapse::Result lines = this->CollapseFeatureCurves(faces);
       this->Gone += lines.Gone;
       const bool isWorth =
-        this->Gone > this->MeshEditor.FeatureCurves()->NumberOfEdges() / LeastOfLines;
-      const bool areDone = !lines.IsBound || this->Ratio < LeastRatioOfCurve;
+        this->Gone > this->MeshEditor.FeatureCurves()->NumberOfEdges() / MinOfLines;
+      const bool areDone = !lines.IsBound || this->Ratio < MinRatioOfCurve;
       if (lines.IsAborted)
       {
         return StopReason::Aborted;

@@ -9,16 +9,13 @@
 
 namespace bonedecimate
 {
-namespace
-{
-}
-
 ForcedCollapse::ForcedCollapse(
-  Editor& editor, Samples& samples, BackHints& hints, double farthest, int threads)
+  Editor& editor, Samples& samples, BackHints& hints, ForcedReach reach, int threads)
   : MeshEditor(editor)
   , Fit(samples)
   , Back(hints)
-  , Candidates(editor, samples, hints, farthest, threads)
+  , Candidates(editor, samples, hints, reach.Farthest, threads)
+  , Reach(reach)
   , Threads(threads)
   , Taken(static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots()), 0)
 {
@@ -105,7 +102,7 @@ std::vector<ForcedCollapse::Trial> ForcedCollapse::Choose()
 }
 
 //------------------------------------------------------------------------------
-/// The vertices of all faces that may change. False if the edge may not be collapsed.
+/// The vertices of all faces that may change, sorted. False if the edge may not be collapsed.
 bool ForcedCollapse::Gather(const SlackCandidate& candidate, std::vector<Index>& vertices)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -113,14 +110,23 @@ bool ForcedCollapse::Gather(const SlackCandidate& candidate, std::vector<Index>&
   {
     return false;
   }
-  vertices = { candidate.Start, candidate.End };
-  for (const VertexId v : this->Space.Around.Ring)
+  const std::vector<Index>& ring = this->Space.Around.Ring;
+  vertices.assign(ring.begin(), ring.end());
+  vertices.push_back(candidate.Start);
+  vertices.push_back(candidate.End);
+  for (int i = 0; i < this->Reach.Rings; ++i)
   {
-    vertices.push_back(v);
-    if (MayMove(mesh, v))
+    const std::size_t count = vertices.size();
+    for (std::size_t k = 0; k < count; ++k)
     {
-      mesh.VisitNeighbors(v, [&](HalfEdgeId, Index other) { vertices.push_back(other); });
+      if (MayMove(mesh, vertices[k]))
+      {
+        mesh.VisitNeighbors(
+          vertices[k], [&](HalfEdgeId, Index other) { vertices.push_back(other); });
+      }
     }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   }
   return true;
 }
@@ -132,7 +138,7 @@ bool ForcedCollapse::TryAll(std::vector<Trial>& trials, const Monitor& monitor)
     [&](std::size_t i)
     {
       Workspace work;
-      PatchFit patch(this->MeshEditor, this->Fit, this->Back);
+      PatchFit patch(this->MeshEditor, this->Fit, this->Back, this->Reach.Rings);
       if (this->MeshEditor.Validate(trials[i].Candidate.Edge, work).IsAccepted())
       {
         trials[i].Found = patch.Fit(work.Around, trials[i].Candidate);
@@ -148,7 +154,7 @@ bool ForcedCollapse::Apply(const Trial& trial)
   edit.Edge = trial.Candidate.Edge;
   edit.Keep = trial.Candidate.Start;
   edit.Position = found.Position;
-  if (!this->MeshEditor.CollapseAndMove(edit, found.Moves, this->Space).IsAccepted())
+  if (!this->MeshEditor.CollapseAndMove(edit, found.Nearby, this->Space).IsAccepted())
   {
     return false;
   }

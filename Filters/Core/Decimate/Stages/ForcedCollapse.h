@@ -23,12 +23,18 @@
 
 namespace bonedecimate
 {
+struct ForcedReach
+{
+  double Farthest; ///< The largest ratio of a candidate.
+  int Rings;       ///< Rings of vertices around it that may move.
+};
+
 class ForcedCollapse
 {
 public:
   /// @param editor Must keep quadrics, and they must be right.
-  /// @param farthest The largest ratio of a candidate.
-  ForcedCollapse(Editor& editor, Samples& samples, BackHints& hints, double farthest, int threads);
+  ForcedCollapse(
+    Editor& editor, Samples& samples, BackHints& hints, ForcedReach reach, int threads);
 
   /// Down to that many faces at most. False if the monitor requests a stop.
   bool Run(Index faces, const Monitor& monitor);
@@ -51,6 +57,7 @@ private:
   Samples& Fit;
   BackHints& Back;
   SlackCandidates Candidates;
+  ForcedReach Reach;
   int Threads;
   ForcedCollapseFigures Figures;
   Workspace Space;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchFit.h"
 
+#include "Decimate/Edit/FlipAndMoveRules.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -9,18 +11,19 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr int MostSweeps = 8;
+constexpr int MaxSweeps = 8;
 /// A vertex whose faces use less of the bound stays.
 constexpr double RatioToMove = 0.9;
 /// A little less than the bound: what the samples miss.
 constexpr double Within = 0.99;
 /// A sweep must gain that much of the largest ratio, and the rest must be within reach of the sweeps that are left.
-constexpr double LeastGainOfSweep = 0.002;
-constexpr double MostHope = 1.2;
+constexpr double MinGainOfSweep = 0.002;
+constexpr double MaxHope = 1.2;
 }
 
-PatchFit::PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints)
-  : Mesh(editor.Mesh())
+PatchFit::PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints, int rings)
+  : Rings(rings)
+  , Mesh(editor.Mesh())
   , Back(hints)
   , Slack(editor, samples, hints)
 {
@@ -38,39 +41,48 @@ void PatchFit::Copy(const EdgeNeighborhood& around, const SlackCandidate& candid
 {
   this->Vertices.clear();
   this->Faces.clear();
-  Vertex merged = { around.Start, candidate.Position, candidate.Hint, {} };
+  this->Flips.clear();
+  this->Vertices.push_back({ around.Start, candidate.Position, candidate.Hint, {} });
+  std::vector<Corner> fan;
   for (std::size_t i = 0; i < around.Corners.size(); ++i)
   {
-    merged.Fan.push_back({ this->FaceOf(HalfEdgeMesh::Face(around.Corners[i])), around.Ring[i],
-      around.Ring[(i + 1) % around.Ring.size()] });
+    const std::size_t second = this->VertexOf(around.Ring[i]);
+    fan.push_back({ this->FaceOf(HalfEdgeMesh::Face(around.Corners[i])), second,
+      this->VertexOf(around.Ring[(i + 1) % around.Ring.size()]) });
   }
-  this->Vertices.push_back(merged);
-  for (const VertexId v : around.Ring)
+  this->Vertices[0].Fan = std::move(fan);
+  std::size_t from = 1;
+  for (int ring = 0; ring < this->Rings; ++ring)
   {
-    if (MayMove(this->Mesh, v))
+    const std::size_t end = this->Vertices.size();
+    for (; from < end; ++from)
     {
-      this->CopyRing(v, around);
+      if (MayMove(this->Mesh, this->Vertices[from].Id))
+      {
+        this->CopyRing(this->Vertices[from].Id, around);
+      }
     }
   }
   this->CopySamples(around);
 }
 
 //------------------------------------------------------------------------------
-/// Of a vertex beside the edge, as after the collapse.
+/// The ring of a vertex beside the edge, as after the collapse.
 void PatchFit::CopyRing(VertexId vertex, const EdgeNeighborhood& around)
 {
   const auto merged = [&](VertexId v) { return v == around.End ? around.Start : v; };
-  Vertex copy = { vertex, this->Mesh.Position(vertex), this->Back.Of(vertex), {} };
+  std::vector<Corner> fan;
   for (const HalfEdgeId h : this->Mesh.OutgoingOf(vertex))
   {
     const FaceId face = HalfEdgeMesh::Face(h);
     if (face != around.GoneFaces[0] && face != around.GoneFaces[1])
     {
-      copy.Fan.push_back({ this->FaceOf(face), merged(this->Mesh.Target(h)),
-        merged(this->Mesh.Origin(HalfEdgeMesh::Previous(h))) });
+      const std::size_t second = this->VertexOf(merged(this->Mesh.Target(h)));
+      fan.push_back({ this->FaceOf(face), second,
+        this->VertexOf(merged(this->Mesh.Origin(HalfEdgeMesh::Previous(h)))) });
     }
   }
-  this->Vertices.push_back(copy);
+  this->Vertices[this->VertexOf(vertex)].Fan = std::move(fan);
 }
 
 //------------------------------------------------------------------------------
@@ -111,11 +123,18 @@ std::size_t PatchFit::FaceOf(Index id)
 }
 
 //------------------------------------------------------------------------------
-const Vector3& PatchFit::PositionOf(Index vertex) const
+/// The same of a vertex.
+std::size_t PatchFit::VertexOf(Index id)
 {
   const auto known = std::find_if(this->Vertices.begin(), this->Vertices.end(),
-    [vertex](const Vertex& other) { return other.Id == vertex; });
-  return known != this->Vertices.end() ? known->Position : this->Mesh.Position(vertex);
+    [id](const Vertex& vertex) { return vertex.Id == id; });
+  const std::size_t position = static_cast<std::size_t>(known - this->Vertices.begin());
+  if (known == this->Vertices.end())
+  {
+    this->Vertices.push_back(
+      { id, this->Mesh.Position(VertexId(id)), this->Back.Of(VertexId(id)), {} });
+  }
+  return position;
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +144,8 @@ SlackFit::Value PatchFit::Evaluate(const Vertex& vertex, const Vector3& position
   for (std::size_t slot = 0; slot < vertex.Fan.size(); ++slot)
   {
     const Corner& corner = vertex.Fan[slot];
-    this->Slack.AddFace(this->PositionOf(corner.Second), this->PositionOf(corner.Third));
+    this->Slack.AddFace(
+      this->Vertices[corner.Second].Position, this->Vertices[corner.Third].Position);
     for (const SlackFit::Member& member : this->Faces[corner.Face].Members)
     {
       this->Slack.AddMember({ member.Sample, slot, member.Counts });
@@ -149,19 +169,34 @@ void PatchFit::HandOver(const Vertex& vertex)
 }
 
 //------------------------------------------------------------------------------
+/// Those that the rules do not allow in place of the faces of the mesh.
+Index PatchFit::NumberOfBadFaces(const Vertex& vertex) const
+{
+  return static_cast<Index>(std::count_if(vertex.Fan.begin(), vertex.Fan.end(),
+    [&](const Corner& corner)
+    {
+      return CheckNewFace(this->Mesh, this->Faces[corner.Face].Id,
+               { vertex.Position, this->Vertices[corner.Second].Position,
+                 this->Vertices[corner.Third].Position }) != Rejection::NotRejected;
+    }));
+}
+
+//------------------------------------------------------------------------------
 /// Moves the vertex if that helps.  @return The largest ratio of its faces.
 double PatchFit::Improve(Vertex& vertex)
 {
-  const SlackFit::Value before =
-    this->Evaluate(vertex, vertex.Position, std::numeric_limits<double>::infinity());
+  const SlackFit::Value before = this->Evaluate(vertex, vertex.Position, Infinity);
   this->HandOver(vertex);
   if (!(before.Largest > RatioToMove))
   {
     return before.Largest;
   }
+  const Vector3 start = vertex.Position;
+  const Index badBefore = this->NumberOfBadFaces(vertex);
   const SlackFit::Value after = this->Slack.TryStep(vertex.Position, before);
-  if (!(after.Error < before.Error))
+  if (!(after.Error < before.Error) || this->NumberOfBadFaces(vertex) > badBefore)
   {
+    vertex.Position = start;
     return before.Largest;
   }
   vertex.Hint = after.Hint;
@@ -171,13 +206,33 @@ double PatchFit::Improve(Vertex& vertex)
 }
 
 //------------------------------------------------------------------------------
-double PatchFit::LargestRatio()
+/// Infinite if the rules do not allow a face.
+double PatchFit::MaxRatio()
 {
   double largest = 0.0;
   for (const Vertex& vertex : this->Vertices)
   {
-    largest = std::max(largest,
-      this->Evaluate(vertex, vertex.Position, std::numeric_limits<double>::infinity()).Largest);
+    if (this->NumberOfBadFaces(vertex) > 0)
+    {
+      return Infinity;
+    }
+    largest = vertex.Fan.empty()
+      ? largest
+      : std::max(largest, this->Evaluate(vertex, vertex.Position, Infinity).Largest);
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+/// Moves every vertex and flips edges at those where that does not suffice.  @return The largest ratio.
+double PatchFit::Sweep()
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+  {
+    const double ratio = this->Vertices[i].Fan.empty() ? 0.0 : this->Improve(this->Vertices[i]);
+    this->FlipAround(i, ratio);
+    largest = std::max(largest, ratio);
   }
   return largest;
 }
@@ -185,22 +240,18 @@ double PatchFit::LargestRatio()
 //------------------------------------------------------------------------------
 bool PatchFit::SweepUntilWithin()
 {
-  double before = std::numeric_limits<double>::infinity();
-  for (int sweep = 0; sweep < MostSweeps; ++sweep)
+  double before = Infinity;
+  for (int sweep = 0; sweep < MaxSweeps; ++sweep)
   {
-    double largest = 0.0;
-    for (Vertex& vertex : this->Vertices)
-    {
-      largest = std::max(largest, this->Improve(vertex));
-    }
-    if (largest <= Within && this->LargestRatio() <= Within)
+    const double largest = this->Sweep();
+    if (largest <= Within && this->MaxRatio() <= Within)
     {
       return true;
     }
     const double gain = before - largest;
-    const int left = MostSweeps - 1 - sweep;
-    if (!(gain > LeastGainOfSweep * largest) ||
-      (sweep > 0 && largest - Within > MostHope * gain * left))
+    const int left = MaxSweeps - 1 - sweep;
+    if (!(gain > MinGainOfSweep * largest) ||
+      (sweep > 0 && largest - Within > MaxHope * gain * left))
     {
       return false;
     }
@@ -215,13 +266,14 @@ PatchFit::Result PatchFit::Found(const EdgeNeighborhood& around) const
   Result result;
   result.IsWithin = true;
   result.Position = this->Vertices[0].Position;
+  result.Nearby.Flips = this->Flips;
   result.Hints.push_back({ this->Vertices[0].Id, this->Vertices[0].Hint });
   for (std::size_t i = 1; i < this->Vertices.size(); ++i)
   {
     const Vertex& vertex = this->Vertices[i];
     if (vertex.HasMoved)
     {
-      result.Moves.push_back({ vertex.Id, vertex.Position });
+      result.Nearby.Moves.push_back({ vertex.Id, vertex.Position });
       result.Hints.push_back({ vertex.Id, vertex.Hint });
     }
   }

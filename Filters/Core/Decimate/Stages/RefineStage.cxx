@@ -91,26 +91,31 @@ bool CollapseBySlack(const StageInput& input, SlackRefinement& slack, const Moni
   return goesOn;
 }
 
-/// Collapses that exceed the error bound before vertices around them move: in the first round by little. Rounds go on while they
-/// remove at least one face in this many. False if the monitor stopped it.
+/// Collapses that exceed the error bound before vertices around them move: in the first round by little. Where a round made most of
+/// what it tried, the surface is smooth, and the next reaches farther. Rounds go on while they remove at least one face in this
+/// many. False if the monitor stopped it.
 bool ForceCollapses(const StageInput& input, SlackRefinement& slack, const Monitor& monitor)
 {
-  constexpr double farthestAtFirst = 1.25; // limits
-  constexpr double farthest = 1.4;
+  constexpr ForcedReach first = { 1.25, 1 };
+  constexpr ForcedReach usual = { 1.4, 1 };
+  constexpr ForcedReach wide = { 1.6, 2 };
+  constexpr std::int64_t triedOfWide = 3; // for each that was made
   constexpr Index leastOfRound = 64;
   constexpr double forcedAt = 0.8; // of a round
   const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
   const int rounds = RoundsOf(input, input.Mode.Refine.ForcedRounds);
   ForcedCollapseFigures figures;
+  ForcedReach reach = first;
   bool goesOn = true;
   bool isWorthIt = true;
   for (int i = 0; i < rounds && goesOn && isWorthIt && !input.HasReachedFaces(); ++i)
   {
     const Index before = mesh.NumberOfFaces();
     const Monitor round = PartOf(monitor, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
-    goesOn = slack.Force(input.Stops.Faces, i == 0 ? farthestAtFirst : farthest,
-               PartOf(round, 0.0, forcedAt), figures) &&
+    const ForcedCollapseFigures known = figures;
+    goesOn = slack.Force(input.Stops.Faces, reach, PartOf(round, 0.0, forcedAt), figures) &&
       slack.Sweep(1, PartOf(round, forcedAt, 1.0));
+    reach = figures.Tried - known.Tried <= triedOfWide * (figures.Made - known.Made) ? wide : usual;
     isWorthIt = i == 0 || before - mesh.NumberOfFaces() >= before / leastOfRound;
   }
   if (input.Forced != nullptr)

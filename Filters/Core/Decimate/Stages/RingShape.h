@@ -23,7 +23,7 @@ public:
   /// Takes the triangles that remain around the merged vertex of an edge.
   void Gather(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around);
 
-  /// Of the smallest angle with the vertex at that position. No less than `enough` if that is exceeded on the way.
+  /// Cosine of the smallest angle with the vertex at that position. No less than `enough` if that is exceeded on the way.
   double CosineAt(const Vector3& position, double enough = 1.0) const;
 
   /**

@@ -25,7 +25,7 @@ public:
   /// All of them. False if the monitor said stop.
   bool MeasureAll(int threads, const Monitor& monitor);
 
-  /// Of all faces at the edge and of its two ends, squares of the mesh's unit.
+  /// The sum of all faces at the edge and of its two ends, squares of the mesh's unit.
   double Around(const EdgeNeighborhood& around) const;
 
   /// Raised whenever something around either end has changed.

@@ -18,8 +18,7 @@ bool ShapeCollapse::Try(HalfEdgeId edge)
     return false;
   }
   const EdgeNeighborhood& around = this->Space.Around;
-  this->LargestOfNew =
-    std::max(this->CosineBefore(around) - LeastGainOfCosine, this->LargestCosine);
+  this->MaxOfNew = std::max(this->CosineBefore(around) - MinGainOfCosine, this->MaxCosine);
   this->Ring.Gather(mesh, around);
   this->Proposed.Edge = edge;
   this->Candidates.clear();
@@ -115,8 +114,8 @@ void ShapeCollapse::AddSearched(const Vector3& start, const Vector3& end)
 //------------------------------------------------------------------------------
 void ShapeCollapse::Add(const Vector3& position, VertexId keep, bool stays)
 {
-  const double cosine = this->Ring.CosineAt(position, this->LargestOfNew);
-  if (cosine <= this->LargestOfNew)
+  const double cosine = this->Ring.CosineAt(position, this->MaxOfNew);
+  if (cosine <= this->MaxOfNew)
   {
     this->Proposed.Keep = keep;
     this->Proposed.Position = position;

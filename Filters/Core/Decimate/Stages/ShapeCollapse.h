@@ -23,7 +23,7 @@ public:
   /// @param largestCosine That of the least angle.  @param enough That of an angle that needs no improvement.
   ShapeCollapse(Editor& editor, double largestCosine, double enough)
     : MeshEditor(editor)
-    , LargestCosine(largestCosine)
+    , MaxCosine(largestCosine)
     , Enough(enough)
   {
   }
@@ -44,12 +44,12 @@ private:
   void Add(const Vector3& position, VertexId keep, bool stays);
 
   Editor& MeshEditor;
-  double LargestCosine;
+  double MaxCosine;
   double Enough;
   Workspace Space;
   RingShape Ring;
-  Edit Proposed;             // what the candidates have in common
-  double LargestOfNew = 1.0; // candidates with a larger cosine are left out
+  Edit Proposed;         // what the candidates have in common
+  double MaxOfNew = 1.0; // candidates with a larger cosine are left out
   std::vector<Candidate> Candidates;
 };
 }

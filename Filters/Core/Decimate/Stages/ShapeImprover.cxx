@@ -35,7 +35,7 @@ bool ShapeImprover::Mend(const Monitor& monitor)
 bool ShapeImprover::IsBad(FaceId face) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  return mesh.IsAlive(face) && CosineOfFace(mesh, face) > this->LargestCosine;
+  return mesh.IsAlive(face) && CosineOfFace(mesh, face) > this->MaxCosine;
 }
 
 //------------------------------------------------------------------------------
@@ -79,7 +79,7 @@ bool ShapeImprover::ForEachBadFace(const Monitor& monitor, const Improve& improv
 bool ShapeImprover::FlipAndMove(const Monitor& monitor)
 {
   constexpr double flippedAt = 0.3;
-  ShapeMover mover(this->MeshEditor, this->LargestCosine);
+  ShapeMover mover(this->MeshEditor, this->MaxCosine);
   this->MeshEditor.DistributeVolumeBudget();
   this->MeshEditor.BeginFlipsAndMoves();
   const bool goesOn = this->ForEachBadFace(PartOf(monitor, 0.0, flippedAt),

@@ -27,7 +27,7 @@ public:
   /// @param largestCosine That of the least angle.
   ShapeImprover(Editor& editor, double largestCosine)
     : MeshEditor(editor)
-    , LargestCosine(largestCosine)
+    , MaxCosine(largestCosine)
     , Edges(editor, largestCosine, largestCosine)
   {
   }
@@ -48,7 +48,7 @@ private:
   void CollapseAt(FaceId face);
 
   Editor& MeshEditor;
-  double LargestCosine;
+  double MaxCosine;
   ShapeCollapse Edges;
 };
 }

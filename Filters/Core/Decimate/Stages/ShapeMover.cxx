@@ -43,7 +43,7 @@ bool ShapeMover::TryFlip(HalfEdgeId edge)
   const auto [a, b, c, d] = PositionsOf(mesh, CornersAround(mesh, edge));
   const double before = std::max(CosineOfSmallestAngle(a, b, c), CosineOfSmallestAngle(b, a, d));
   const double after = std::max(CosineOfSmallestAngle(a, d, c), CosineOfSmallestAngle(b, c, d));
-  return after < before - LeastGainOfCosine &&
+  return after < before - MinGainOfCosine &&
     this->MeshEditor.Flip(edge, this->Space, 1).IsAccepted();
 }
 
@@ -73,7 +73,7 @@ void ShapeMover::Move(VertexId vertex)
   const double before = this->Ring.CosineAt(from);
   double after = before;
   const Vector3 found = this->Ring.Search(from, this->Enough, after);
-  const double worst = before - LeastGainOfCosine;
+  const double worst = before - MinGainOfCosine;
   if (!(after < worst))
   {
     return;

@@ -29,7 +29,7 @@ bool EnlargeAngles(const StageInput& input, const Monitor& monitor)
   constexpr Index leastOfRound =
     128; // no further round after one that removes less than one face in this many
   const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
-  ShapeImprover improver(input.MeshEditor, input.Shape.LargestCosine);
+  ShapeImprover improver(input.MeshEditor, input.Shape.MaxCosine);
   bool goesOn = improver.Mend(PartOf(monitor, 0.0, mendedAt));
   if (!input.MeshEditor.LimitsEdits() || input.Shape.LimitsEdges())
   {

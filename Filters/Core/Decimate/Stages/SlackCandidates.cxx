@@ -12,8 +12,9 @@ namespace bonedecimate
 namespace
 {
 constexpr Index VerticesOfPart = 64;
-/// Where samples are farther, in limits, moving the vertex does not help.
+/// Where samples are farther, in limits, moving the vertex does not help; or farther than the largest ratio of a candidate by so much.
 constexpr double Hopeless = 1.6;
+constexpr double HopelessAbove = 0.2;
 constexpr int MovesOfCandidate = 4;
 /// Points on the faces are looked at only where the samples are not farther than that, in the largest ratio of a candidate.
 constexpr double FarthestOfSamples = 1.02;
@@ -98,17 +99,18 @@ bool SlackCandidates::EvaluateEdge(
   const Vector3& start = mesh.Position(around.Start);
   const Vector3& end = mesh.Position(around.End);
   const std::array<Vector3, 4> positions = { edge.Position, 0.5 * (start + end), start, end };
-  double least = Hopeless;
+  const double hopeless = std::max(Hopeless, this->Farthest + HopelessAbove);
+  double least = hopeless;
   for (const Vector3& position : positions)
   {
-    const double ratio = slack.LargestOfSamples(position, least);
+    const double ratio = slack.MaxOfSamples(position, least);
     if (ratio < least)
     {
       least = ratio;
       candidate.Position = position;
     }
   }
-  if (!(least < Hopeless))
+  if (!(least < hopeless))
   {
     return false;
   }

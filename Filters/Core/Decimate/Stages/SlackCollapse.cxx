@@ -101,7 +101,7 @@ void SlackCollapse::HandOver(const EdgeNeighborhood& around)
 {
   SlackFit& slack = this->Slack;
   // Finds the face of each sample.
-  slack.LargestOfSamples(
+  slack.MaxOfSamples(
     this->MeshEditor.Mesh().Position(around.Start), std::numeric_limits<double>::infinity());
   for (const Index corner : around.Corners)
   {

@@ -17,17 +17,17 @@ namespace
 constexpr double SpacingInEdges = 0.35;
 /// Moved vertices are on a grid of a mean edge divided by that power of two.
 constexpr double GridBits = 20.0;
-constexpr int MostPoints = 10; // on an edge of the fan, and one
+constexpr int MaxPoints = 10; // on an edge of the fan, and one
 /// The longest step, in mean edges at the vertex.
 constexpr double LongestStep = 0.4;
 /// Attempts to lower the error by a step, each that part of the one before.
 constexpr int Attempts = 3;
 constexpr double NextAttempt = 0.35;
 /// By which the error must fall.
-constexpr double LeastGain = 1e-4;
+constexpr double MinGain = 1e-4;
 /// Rows below this part of the largest ratio hardly matter to the step.
-constexpr double LeastRatio = 0.4;
-/// Of the area around the vertex, what it represents itself: between it and the nearest samples the distance rises, so without it the
+constexpr double MinRatio = 0.4;
+/// The part of the area around a vertex that it represents itself: between it and the nearest samples the distance rises, so without it the
 /// error would let it leave the bound.
 constexpr double VertexFraction = 0.1;
 constexpr int StepsOfExponent = 4;
@@ -125,7 +125,7 @@ bool SlackFit::AddSampleRows(double enough)
     const Vector3 way = p - frame.At(nearest);
     const double fraction = 1.0 - nearest.B - nearest.C;
     const Vector3 direction = distance > 0.0 ? Vector3(way / distance) : frame.UnitNormal();
-    const double limit = std::min<double>(sample.Limit, this->Fit.LargestLimit());
+    const double limit = std::min<double>(sample.Limit, this->Fit.MaxLimit());
     this->AddRow(sample.Weight, distance, limit, -fraction * direction);
     if (!(this->Current.Error < enough))
     {
@@ -140,7 +140,7 @@ double SlackFit::LimitOver(Index triangle) const
 {
   const Triangle c = this->Back.Original().Corners(triangle);
   return std::min({ this->MeshEditor.LimitAt(c[0]), this->MeshEditor.LimitAt(c[1]),
-    this->MeshEditor.LimitAt(c[2]), static_cast<double>(this->Fit.LargestLimit()) });
+    this->MeshEditor.LimitAt(c[2]), static_cast<double>(this->Fit.MaxLimit()) });
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +164,7 @@ PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction,
 }
 
 //------------------------------------------------------------------------------
-/// Of points on the edges of the vertex, which is where faces are farthest from the original between its vertices, and of a few inside
+/// Error of points on the edges of the vertex, which is where faces are farthest from the original between its vertices, and of a few inside
 /// the faces.
 /// @param firstSpoke The first face at whose edge there are points.
 bool SlackFit::AddFaceRows(const Vector3& x, double enough, std::size_t firstSpoke)
@@ -177,7 +177,7 @@ bool SlackFit::AddFaceRows(const Vector3& x, double enough, std::size_t firstSpo
     const Spoke& spoke = this->Spokes[face];
     const double weight = this->Frames[face].SurfaceArea() / (unit * unit);
     const int count = static_cast<int>(std::clamp(
-      std::ceil((spoke.Second - x).norm() / this->Spacing), 2.0, static_cast<double>(MostPoints)));
+      std::ceil((spoke.Second - x).norm() / this->Spacing), 2.0, static_cast<double>(MaxPoints)));
     Index hint = atVertex;
     for (int i = face < firstSpoke ? 0 : count - 1; i > 0; --i)
     {
@@ -224,7 +224,7 @@ SlackFit::Value SlackFit::EvaluatePair(const Vector3& x, Index hint, double enou
 }
 
 //------------------------------------------------------------------------------
-double SlackFit::LargestOfSamples(const Vector3& x, double most)
+double SlackFit::MaxOfSamples(const Vector3& x, double most)
 {
   this->Build(x);
   double largest = 0.0; // squared
@@ -233,7 +233,7 @@ double SlackFit::LargestOfSamples(const Vector3& x, double most)
     const Samples::Sample& sample = this->Fit[member.Sample];
     const double squared =
       FindInWholeFan(this->Frames, this->Fit.SamplePosition(sample), member.Slot).SquaredDistance;
-    const double limit = std::min<double>(sample.Limit, this->Fit.LargestLimit());
+    const double limit = std::min<double>(sample.Limit, this->Fit.MaxLimit());
     if (!member.Counts)
     {
       continue;
@@ -259,7 +259,7 @@ Vector3 SlackFit::Step() const
   }
   for (const Row& row : this->Rows)
   {
-    if (row.Ratio > LeastRatio * largest)
+    if (row.Ratio > MinRatio * largest)
     {
       active.push_back({ row.Weight, row.Ratio / largest, row.Gradient / largest });
     }
@@ -315,7 +315,7 @@ Vector3 SlackFit::OnGrid(const Vector3& x) const
 //------------------------------------------------------------------------------
 SlackFit::Value SlackFit::TryStep(Vector3& x, const Value& before)
 {
-  const double enough = (1.0 - LeastGain) * before.Error;
+  const double enough = (1.0 - MinGain) * before.Error;
   Vector3 step = this->Step();
   for (int attempt = 0; attempt < Attempts; ++attempt, step *= NextAttempt)
   {

@@ -32,7 +32,7 @@ public:
   struct Value
   {
     double Error = std::numeric_limits<double>::infinity();   ///< Squares of the mesh's unit.
-    double Largest = std::numeric_limits<double>::infinity(); ///< Of all ratios.
+    double Largest = std::numeric_limits<double>::infinity(); ///< The largest of all ratios.
     Index Hint = None; ///< The original triangle near the vertex.
   };
 
@@ -65,10 +65,10 @@ public:
   /// value is infinite then.
   Value Evaluate(
     const Vector3& x, Index hint, double enough = std::numeric_limits<double>::infinity());
-  /// Of two faces at x, which have the edge from x to the second corner of the last one in common; other edges do not count.
+  /// Error of two faces at x, which have the edge from x to the second corner of the last one in common; other edges do not count.
   Value EvaluatePair(const Vector3& x, Index hint, double enough);
-  /// Of the samples of the original alone; infinite above that ratio.
-  double LargestOfSamples(const Vector3& x, double most);
+  /// The largest ratio of the samples of the original alone; infinite above that ratio.
+  double MaxOfSamples(const Vector3& x, double most);
 
   /// The nearest position of a fine grid. One step after the other would amplify the rounding of coordinates, which is another one at
   /// another distance from the origin.

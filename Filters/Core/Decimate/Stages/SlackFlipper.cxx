@@ -11,7 +11,7 @@ namespace bonedecimate
 namespace
 {
 /// Faces that use less of the bound stay.
-constexpr double LeastRatioOfFlip = 0.8;
+constexpr double MinRatioOfFlip = 0.8;
 /// To which part the error must fall.
 constexpr double FlipBelowError = 0.9;
 constexpr Index FacesOfReport = 1024;
@@ -66,7 +66,7 @@ bool SlackFlipper::Improves(HalfEdgeId edge)
     HalfEdgeMesh::Face(mesh.Twin(edge)) };
   this->Gather({ a, d, b, c }, { faces[1], faces[0] });
   const SlackFit::Value now = this->Slack.EvaluatePair(a, this->Back.Of(ids[0]), infinity);
-  if (!(now.Largest > LeastRatioOfFlip && now.Largest < infinity))
+  if (!(now.Largest > MinRatioOfFlip && now.Largest < infinity))
   {
     return false;
   }

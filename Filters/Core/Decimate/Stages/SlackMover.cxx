@@ -8,8 +8,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the bound, what a shift may use.
-constexpr double MostOfShift = 0.97;
+/// Fraction of the bound that a shift may use.
+constexpr double MaxOfShift = 0.97;
 }
 
 SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
@@ -34,7 +34,7 @@ SlackMover::Proposal SlackMover::Shift(VertexId vertex, const Vector3& step)
   const SlackFit::Value before = this->Gather(vertex);
   const Vector3 position = this->Slack.OnGrid(this->MeshEditor.Mesh().Position(vertex) + step);
   const SlackFit::Value after = this->Slack.Evaluate(position, before.Hint);
-  return after.Largest <= std::max(MostOfShift, before.Largest)
+  return after.Largest <= std::max(MaxOfShift, before.Largest)
     ? Proposal{ vertex, position, after.Hint, this->Ring, this->Slack.Members() }
     : Proposal();
 }

@@ -3,7 +3,6 @@
 #include "SlackRefinement.h"
 
 #include "Base/Parallel.h"
-#include "ForcedCollapse.h"
 #include "SlackCollapse.h"
 #include "SlackFlipper.h"
 #include "SlackMover.h"
@@ -155,7 +154,7 @@ bool SlackRefinement::Collapse(Index faces, const Monitor& monitor)
 
 //------------------------------------------------------------------------------
 bool SlackRefinement::Force(
-  Index faces, double farthest, const Monitor& monitor, ForcedCollapseFigures& figures)
+  Index faces, ForcedReach reach, const Monitor& monitor, ForcedCollapseFigures& figures)
 {
   this->MeshEditor.DistributeVolumeBudget();
   this->MeshEditor.RenewQuadrics(this->Threads);
@@ -163,7 +162,7 @@ bool SlackRefinement::Force(
   {
     return false;
   }
-  ForcedCollapse collapse(this->MeshEditor, this->Fit, this->Back, farthest, this->Threads);
+  ForcedCollapse collapse(this->MeshEditor, this->Fit, this->Back, reach, this->Threads);
   const bool goesOn = collapse.Run(faces, PartOf(monitor, SettledAt, 1.0));
   figures.Tried += collapse.Report().Tried;
   figures.Made += collapse.Report().Made;

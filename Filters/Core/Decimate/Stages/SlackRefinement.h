@@ -9,7 +9,7 @@
  *                 color the vertices; of each color evaluate all moves in parallel, then apply them on one thread   (SlackMover)
  *     Collapse:   the same in rounds, the collapses that leave most of the bound first                              (SlackCollapse)
  *
- *     Force:      collapses that keep the bound only together with moves around them                                (ForcedCollapse)
+ *     Force:      collapses that keep the bound only with moves and flips around them                                (ForcedCollapse)
  *     RestoreVolume:   moves that give lost volume back                                                             (VolumeMover)
  *
  * Every edit is proved as any other; samples only propose.
@@ -18,6 +18,7 @@
 #define BoneDecimate_Core_Decimate_Stages_SlackRefinement_h
 
 #include "Decimate/Edit/Editor.h"
+#include "ForcedCollapse.h"
 #include "Proof/Reference/BackHints.h"
 #include "Proof/Reference/Samples.h"
 
@@ -36,9 +37,10 @@ public:
   bool Sweep(int times, const Monitor& monitor);
   /// Down to that many faces at most.
   bool Collapse(Index faces, const Monitor& monitor);
-  /// Also where moves around the collapse are needed.  @param farthest By which ratio it may exceed the bound before them.
+  /// Also where moves and flips around the collapse are needed.
   /// @param figures What was tried and made is added to them.
-  bool Force(Index faces, double farthest, const Monitor& monitor, ForcedCollapseFigures& figures);
+  bool Force(
+    Index faces, ForcedReach reach, const Monitor& monitor, ForcedCollapseFigures& figures);
   /// Moves that give components the volume back that they have lost. Flips and moves by others may come before, collapses may not.
   bool RestoreVolume(const Monitor& monitor);
 

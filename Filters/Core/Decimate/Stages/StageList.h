@@ -31,8 +31,8 @@ struct StageInput
   Index FacesAtStart = 0;       ///< Before the first stage; filled by RunStages().
   const HalfEdgeMesh* InitialMesh =
     nullptr; ///< Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
-  double RefinementEffort = 1.0; ///< Of the options.
-  ShapeLimits Shape = {};        ///< Of triangles.
+  double RefinementEffort = 1.0; ///< As in the options.
+  ShapeLimits Shape = {};        ///< Limits of triangles.
   ForcedCollapseFigures* Forced =
     nullptr; ///< Receives what was tried and made; null: they are not kept.
 

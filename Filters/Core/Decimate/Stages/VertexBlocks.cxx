@@ -10,8 +10,8 @@ namespace
 {
 /// Large blocks leave few vertices whose ring is in no block; many blocks keep many threads busy.
 constexpr Index BlocksOfOrder = 32;
-constexpr Index SmallestBlock = 512;
-constexpr Index LargestBlock = 8192;
+constexpr Index MinBlock = 512;
+constexpr Index MaxBlock = 8192;
 }
 
 VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
@@ -27,7 +27,7 @@ VertexBlocks::VertexBlocks(const HalfEdgeMesh& mesh)
   }
   this->Visited.resize(this->Order.size(), 0);
   this->BlockSize =
-    std::clamp(static_cast<Index>(this->Order.size()) / BlocksOfOrder, SmallestBlock, LargestBlock);
+    std::clamp(static_cast<Index>(this->Order.size()) / BlocksOfOrder, MinBlock, MaxBlock);
 }
 
 //------------------------------------------------------------------------------

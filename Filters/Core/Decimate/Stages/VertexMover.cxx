@@ -10,9 +10,9 @@ namespace bonedecimate
 namespace
 {
 /// A step that would lower the error by less than this fraction is not tried,
-constexpr double LeastGainOfMove = 1e-3;
+constexpr double MinGainOfMove = 1e-3;
 /// and where it would have to be proved, by less than this one.
-constexpr double LeastGainOfProvedMove = 3e-3;
+constexpr double MinGainOfProvedMove = 3e-3;
 constexpr int AttemptsOfMove = 3;
 }
 
@@ -26,7 +26,7 @@ bool VertexMover::Improve(VertexId vertex)
   }
   this->Gather(vertex);
   Vector3 step = this->Equations.Solve();
-  const double least = this->MeshEditor.LimitsEdits() ? LeastGainOfProvedMove : LeastGainOfMove;
+  const double least = this->MeshEditor.LimitsEdits() ? MinGainOfProvedMove : MinGainOfMove;
   if (!(this->Equations.Gain(step) > least * this->Error))
   {
     return false;
@@ -96,7 +96,7 @@ PointOnMesh VertexMover::FindOriginal(VertexId vertex)
 }
 
 //------------------------------------------------------------------------------
-/// Of the sharp edges from the vertex, if it were there.  @param hint The original triangle near it.
+/// Error of the sharp edges from the vertex, if it were there.  @param hint The original triangle near it.
 double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equations) const
 {
   const FarPenalty& far = this->Weigh.OfChords();
@@ -151,7 +151,7 @@ double VertexMover::AddSamples(const TriangleFrame& frame, FaceId face)
 double VertexMover::ErrorIfAllowed(const RingFace& ring, const TriangleFrame& frame) const
 {
   const double facing = Dot(frame.UnitNormal(), this->OriginalNormal);
-  return facing < LeastFacing && facing < ring.Facing
+  return facing < MinFacing && facing < ring.Facing
     ? std::numeric_limits<double>::infinity()
     : ErrorWithinLimits(this->Fit, this->Weigh, ring.Face, frame);
 }

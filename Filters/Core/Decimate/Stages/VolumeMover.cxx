@@ -35,7 +35,7 @@ bool VolumeMover::Run(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// Of open components, which have no volume: that between the samples and the faces.
+/// What replaces the volume of open components, which have none: that between the samples and the faces.
 void VolumeMover::MeasureLost(const std::vector<Height>& heights)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

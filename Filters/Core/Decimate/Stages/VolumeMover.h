@@ -48,7 +48,7 @@ private:
                                             : this->Vertex < other.Vertex;
     }
   };
-  /// Of the samples of a face above it, weighted by their areas.
+  /// Mean height of the samples of a face above it, weighted by their areas.
   struct Height
   {
     double Sum = 0.0;    // mm times squares of the mesh's unit

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellSegments.h
- * @brief The curves in which the surface in a cell meets the faces of the cell, as segments (CellSurface.h has the rules).
+ * @brief The curves in which the surface in a cell meets the faces of the cell, as segments
+ * (CellSurface.h has the rules).
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_CellSegments_h
 #define BoneDecimate_Core_Labels_LabelMap_CellSegments_h

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelPieces.h
- * @brief Small islands and cavities of the segments of a label map, and the voxels that get another label without them.
+ * @brief Small islands and cavities of the segments of a label map, and the voxels that
+ * get another label without them.
  *
- *     island   a piece of a segment, connected by faces of voxels, other than the largest of the segment
- *     cavity   a piece of background, connected by faces or edges of voxels, that does not reach the end of the image and
- *              touches one segment alone
+ *     island   a piece of a segment, connected by faces of voxels, other
+ *              than the largest of the segment
+ *     cavity   a piece of background, connected by faces or edges of voxels, that does not reach
+ *              the end of the image and touches one segment alone
  *
- * Surfaces of the map have as many components as these pieces say (LabelSurfaces.h). An island gets the label on the largest part of
- * its boundary, the background included; the end of the image counts as background. A cavity gets the label of its segment.
+ * Surfaces of the map have as many components as these pieces say (LabelSurfaces.h). An island gets
+ * the label on the largest part of its boundary, the background included; the end of the image
+ * counts as background. A cavity gets the label of its segment.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_LabelPieces_h
 #define BoneDecimate_Core_Labels_LabelMap_LabelPieces_h
@@ -42,7 +45,7 @@ struct SegmentPieces
 {
   std::int64_t Label = 0;
   std::int64_t Pieces = 0;        ///< Islands that are removed, or cavities that are filled.
-  std::int64_t Voxels = 0;        ///< Of all of them.
+  std::int64_t Voxels = 0;        ///< Voxels of all these pieces.
   double Volume = 0.0;            ///< mm^3, of all of them.
   bool IsLargestTooSmall = false; ///< The largest piece, which stays, is below a limit, too.
 };
@@ -50,7 +53,7 @@ struct SegmentPieces
 struct PieceChanges
 {
   std::vector<VoxelRun> Runs;          ///< In order of the voxels.
-  std::vector<SegmentPieces> Segments; ///< Of those that were requested, ascending.
+  std::vector<SegmentPieces> Segments; ///< The requested segments, ascending.
 };
 
 /// @param segments Labels, each once, not the background. @param background Its label.

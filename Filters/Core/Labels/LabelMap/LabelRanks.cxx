@@ -15,7 +15,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr std::size_t LargestTable = std::size_t(1) << 20U;
+constexpr std::size_t MaxTable = std::size_t(1) << 20U;
 constexpr std::size_t VoxelsInAPart = std::size_t(1) << 18U;
 
 /// Types of up to two bytes: a flag for each value.
@@ -128,7 +128,7 @@ LabelRanks::LabelRanks(std::vector<std::int64_t> labels)
   this->Least = this->Labels.front();
   const std::uint64_t range =
     static_cast<std::uint64_t>(this->Labels.back()) - static_cast<std::uint64_t>(this->Least);
-  if (range < LargestTable)
+  if (range < MaxTable)
   {
     this->Table.assign(range + 1, 0);
     for (std::size_t i = 0; i < this->Labels.size(); ++i)
@@ -152,7 +152,8 @@ Index LabelRanks::Find(std::int64_t value) const
 template <typename Scalar>
 void LabelRanks::ConvertValues(const Scalar* values, std::size_t count, Index* ranks) const
 {
-  // The conversion to int64 maps values beyond it to negative ones, which no label of an unsigned map equals.
+  // The conversion to int64 maps values beyond it to negative ones, which no
+  // label of an unsigned map equals.
   const auto least = static_cast<std::uint64_t>(this->Least);
   const bool isUnsigned = !std::is_signed_v<Scalar>;
   if (!this->Table.empty() && !(isUnsigned && this->Least < 0))

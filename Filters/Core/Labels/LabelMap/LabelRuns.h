@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelRuns.h
- * @brief A label map as runs of equal labels along x, which neighbors they have, and which are connected.
+ * @brief A label map as runs of equal labels along x, which neighbors they
+ * have, and which are connected.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_LabelRuns_h
 #define BoneDecimate_Core_Labels_LabelMap_LabelRuns_h
@@ -19,7 +20,7 @@ struct LabelRun
 {
   Index Begin = 0; ///< Along x.
   Index End = 0;   ///< The voxel behind the last one.
-  Index Rank = 0;  ///< Of the label.
+  Index Rank = 0;  ///< Rank of the label.
   std::size_t Row = 0;
 };
 
@@ -38,7 +39,8 @@ public:
     return static_cast<std::size_t>(run.End - run.Begin);
   }
 
-  /// In voxels as thick as the grid's spacing: their number where layers have no positions of their own.
+  /// In voxels as thick as the grid's spacing: their number where layers
+  /// have no positions of their own.
   double Amount(const LabelRun& run) const
   {
     return static_cast<double>(Length(run)) *
@@ -46,13 +48,14 @@ public:
   }
 
   /**
-   * Calls visit(run, other, area) for the faces between two runs in mm^2, once for each pair of rows, and visit(run, None, area) for those at
-   * the end of the image.
+   * Calls visit(run, other, area) for the faces between two runs in mm^2, once for each pair of
+   * rows, and visit(run, None, area) for those at the end of the image.
    */
   template <typename Visit>
   void VisitFaces(const Visit& visit) const;
 
-  /// Joins runs of one rank that have a face in common, of all ranks but 0. @returns For each run the first run of its piece.
+  /// Joins runs of one rank that have a face in common, of all ranks but 0. @returns For each
+  /// run the first run of its piece.
   std::vector<std::size_t> JoinByFaces() const;
 
   /// Joins runs of rank 0 that have a face or an edge in common.
@@ -61,7 +64,8 @@ public:
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
 private:
-  /// Calls visit(a, b) for runs of two rows that overlap, or are at most reach voxels apart along x.
+  /// Calls visit(a, b) for runs of two rows that overlap, or are at
+  /// most reach voxels apart along x.
   template <typename Visit>
   void VisitRows(std::size_t rowA, std::size_t rowB, Index reach, const Visit& visit) const
   {

@@ -22,8 +22,8 @@ namespace bonedecimate
 namespace
 {
 constexpr Index LayersInAPart = 8;
-constexpr std::int64_t LargestIndex = std::numeric_limits<Index>::max();
-constexpr Index LargestDimension = (1 << 30) - 2; // twice a padded coordinate is an index
+constexpr std::int64_t MaxIndex = std::numeric_limits<Index>::max();
+constexpr Index MaxDimension = (1 << 30) - 2;     // twice a padded coordinate is an index
 constexpr double OrthogonalButForRounding = 1e-3; // as program and wheel
 constexpr double Orthogonal = 1e-14;
 
@@ -32,7 +32,8 @@ double DeviationFromOrthogonal(const Eigen::Matrix3d& matrix)
   return (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
 }
 
-/// Newton's iteration for the polar decomposition, of axes that are orthogonal but for rounding; others are those of a sheared grid.
+/// Newton's iteration for the polar decomposition, of axes that are orthogonal but for rounding;
+/// others are those of a sheared grid.
 Eigen::Matrix3d NearestDirection(Eigen::Matrix3d matrix)
 {
   if (!(DeviationFromOrthogonal(matrix) <= OrthogonalButForRounding))
@@ -49,7 +50,7 @@ Eigen::Matrix3d NearestDirection(Eigen::Matrix3d matrix)
 LabelSurfaceStatus CheckGrid(const VoxelGrid& grid, const LabelSurfaceOptions& options)
 {
   const auto [least, largest] = std::minmax_element(grid.Dimensions.begin(), grid.Dimensions.end());
-  if (*least < 1 || *largest > LargestDimension)
+  if (*least < 1 || *largest > MaxDimension)
   {
     return LabelSurfaceStatus::NoVoxels;
   }
@@ -192,7 +193,7 @@ private:
       points += layer.Points();
       triangles += layer.Triangles;
     }
-    if (points > LargestIndex || triangles > LargestIndex)
+    if (points > MaxIndex || triangles > MaxIndex)
     {
       return false;
     }

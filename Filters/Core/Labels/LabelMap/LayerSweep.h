@@ -4,9 +4,10 @@
  * @file LayerSweep.h
  * @brief Counts and writes the surfaces of a label map layer by layer; knows two layers at a time.
  *
- * The points of a layer are, in this order, those in the layer itself, those on edges and faces between it and the next layer,
- * and those inside the cells between them; each in order of the voxel at the least corner, x fastest. At one voxel the point of
- * the edge along x is first, then that of the edge along y and that of the face. Between layers these are the edge along z, the
+ * The points of a layer are, in this order, those in the layer itself, those on edges and faces
+ * between it and the next layer, and those inside the cells between them; each in order of the
+ * voxel at the least corner, x fastest. At one voxel the point of the edge along x is first, then
+ * that of the edge along y and that of the face. Between layers these are the edge along z, the
  * face perpendicular to x and the face perpendicular to y. Triangles have the order of their cells.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_LayerSweep_h

@@ -16,14 +16,16 @@ namespace bonedecimate
 {
 struct SingleLabelSurface
 {
-  /// The normals point out of the label. Vertices whose triangles are not one fan are split; no edge has more than two triangles.
+  /// The normals point out of the label. Vertices whose triangles are not one fan are split; no
+  /// edge has more than two triangles.
   bonedecimate::Surface Surface;
-  std::vector<Index> OriginalPoint;    ///< Of each point: the one in the surface of all labels.
-  std::vector<Index> OriginalTriangle; ///< Of each triangle.
+  std::vector<Index> OriginalPoint;    ///< The point of each one in the surface of all labels.
+  std::vector<Index> OriginalTriangle; ///< The same for triangles.
 };
 
 /**
- * The triangles between the label and any other one, in their order; points in order of their first triangle.
+ * The triangles between the label and any other one, in their order; points in
+ * order of their first triangle.
  *
  * @param label Index into LabelMapSource::Values.
  * @param labels One for each triangle of the surface.

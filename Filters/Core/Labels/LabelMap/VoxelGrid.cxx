@@ -12,7 +12,7 @@ namespace bonedecimate
 namespace
 {
 constexpr double RoundingOfAxes = 1e-6;
-constexpr double LeastDeterminant = 1e-3; // of unit vectors that are not in one plane
+constexpr double MinDeterminant = 1e-3; // of unit vectors that are not in one plane
 
 /// The step from a layer to the next, or the last one, linear beyond the ends.
 struct LayerGap
@@ -62,7 +62,7 @@ bool VoxelGrid::IsValid() const
   const Vector3 lengths = this->Direction.colwise().squaredNorm();
   if (!isFinite || !(this->Spacing.minCoeff() > 0.0) ||
     !((lengths - Vector3::Ones()).cwiseAbs().maxCoeff() <= RoundingOfAxes) ||
-    !(std::abs(this->Direction.determinant()) >= LeastDeterminant))
+    !(std::abs(this->Direction.determinant()) >= MinDeterminant))
   {
     return false;
   }
@@ -71,7 +71,7 @@ bool VoxelGrid::IsValid() const
     return true;
   }
   if (this->Layers.size() != static_cast<std::size_t>(this->Dimensions[2]) ||
-    this->Layers[0] != 0.0 || !(this->Layers.back() <= LargestCoordinate))
+    this->Layers[0] != 0.0 || !(this->Layers.back() <= MaxCoordinate))
   {
     return false;
   }
@@ -113,7 +113,8 @@ double VoxelGrid::LayerAt(double steps) const
 }
 
 //------------------------------------------------------------------------------
-/// From a guess to the layer, by the heights themselves: no rounding decides otherwise than StepsOf().
+/// From a guess to the layer, by the heights themselves: no rounding
+/// decides otherwise than StepsOf().
 std::int64_t VoxelGrid::FirstLayerAtOrAbove(double steps) const
 {
   auto layer = static_cast<std::int64_t>(std::ceil(this->LayerAt(steps)));
@@ -143,7 +144,7 @@ std::int64_t VoxelGrid::LastLayerAtOrBelow(double steps) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 VoxelGrid::LargestSpacing() const
+Vector3 VoxelGrid::MaxSpacing() const
 {
   Vector3 largest = this->Spacing;
   for (std::size_t k = 1; k < this->Layers.size(); ++k)

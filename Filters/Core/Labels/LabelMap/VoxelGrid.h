@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelGrid.h
- * @brief The grid of voxel centers of an image, and what is known of a surface that was extracted from its labels.
+ * @brief The grid of voxel centers of an image, and what is known of a surface that
+ * was extracted from its labels.
  *
  * Positions are either in millimeters or in voxels: voxel centers have integer coordinates there.
  */
@@ -23,20 +24,24 @@ namespace bonedecimate
  * From voxels to mm, with n = (i, j, k):
  *
  *     mm(n) = Origin + Direction * (Spacing[0] i, Spacing[1] j, Spacing[2] s(k))
- *     s(k)  = k, or Layers[k] / Spacing[2] where layers have positions of their own; linear between two layers and beyond the ends
+ *     s(k)  = k, or Layers[k] / Spacing[2] where layers have positions of their own; linear between
+ *           two layers and beyond the ends
  *
- * (i, j, s) are the steps of a position. They are linear in mm, so triangles are flat there, which they are not in voxels where the
- * distance of layers changes: predicates and displacements work in steps.
+ * (i, j, s) are the steps of a position. They are linear in mm, so triangles are flat
+ * there, which they are not in voxels where the distance of layers changes: predicates
+ * and displacements work in steps.
  */
 struct VoxelGrid
 {
   Vector3 Origin = Vector3::Zero(); ///< mm, the center of voxel 0, 0, 0.
   Vector3 Spacing =
     Vector3::Ones(); ///< mm, positive; with Layers the third is the least distance of two.
-  /// Columns: unit vectors of the axes. Orthogonal unless the gantry was tilted, which shears the grid.
+  /// Columns: unit vectors of the axes. Orthogonal unless the gantry was
+  /// tilted, which shears the grid.
   Eigen::Matrix3d Direction = Eigen::Matrix3d::Identity();
   std::array<Index, 3> Dimensions = { 0, 0, 0 }; ///< Number of voxels; 0: not known.
-  /// mm along the third axis, of each layer from the first one, ascending. Empty: layers are Spacing[2] apart.
+  /// mm along the third axis, of each layer from the first one, ascending.
+  /// Empty: layers are Spacing[2] apart.
   std::vector<double> Layers = {};
 
   std::size_t NumberOfVoxels() const
@@ -78,8 +83,8 @@ struct VoxelGrid
   }
   /// Its transpose where it is orthogonal.
   Eigen::Matrix3d InverseDirection() const;
-  /// Whether the numbers describe a grid: finite, distances positive, axes unit vectors that are not in one plane, layers ascending
-  /// and as many as there are.
+  /// Whether the numbers describe a grid: finite, distances positive, axes unit vectors that are
+  /// not in one plane, layers ascending and as many as there are.
   bool IsValid() const;
   /// Perpendicular to the layers, of length 1, to the side of the third axis.
   Vector3 LayerNormal() const;
@@ -97,7 +102,8 @@ struct VoxelGrid
   {
     return this->Spacing[2] * (this->StepsOf(layer + 1.0) - this->StepsOf(layer));
   }
-  /// mm along the third axis: a voxel ends in the middle between its layer and the next. @param end The layer after the last one.
+  /// mm along the third axis: a voxel ends in the middle between its layer and the next.
+  /// @param end The layer after the last one.
   double ThicknessOf(Index first, Index end) const
   {
     return this->HasLayers()
@@ -105,8 +111,9 @@ struct VoxelGrid
       : static_cast<double>(end - first) * this->Spacing[2];
   }
   /// The largest distance of neighboring voxels along each axis, mm.
-  Vector3 LargestSpacing() const;
-  /// The volume of a parallelepiped of unit edges along the axes, and the area of that across an axis: 1 where the grid is not sheared.
+  Vector3 MaxSpacing() const;
+  /// The volume of a parallelepiped of unit edges along the axes, and the area of that across an
+  /// axis: 1 where the grid is not sheared.
   double UnitVolume() const;
   double UnitArea(int axis) const;
 
@@ -119,29 +126,33 @@ private:
 };
 
 /**
- * Twice the voxel coordinates of the middle of a grid edge, of a cell's face or of a cell. The number of odd coordinates tells
- * which: 1, 2 or 3. A point keeps the labels of all voxels while it stays in the octahedron
+ * Twice the voxel coordinates of the middle of a grid edge, of a cell's face or of a cell. The
+ * number of odd coordinates tells which: 1, 2 or 3. A point keeps the labels of all voxels
+ * while it stays in the octahedron
  *
  *     sum of |x - center| over the axes, in voxels  <  half the number of odd coordinates
  *
- * Proof: that of a cell contains no voxel center and is convex, and those of its edges and faces lie in it; all are affine images of
- * one of a cube. Of layers with positions of their own, a voxel is as thick as the cell between them. A point in a layer belongs
- * to cells above and below it: the thinner one counts, so that its octahedron lies in those of both.
+ * Proof: that of a cell contains no voxel center and is convex, and those of its edges and faces
+ * lie in it; all are affine images of one of a cube. Of layers with positions of their own, a voxel
+ * is as thick as the cell between them. A point in a layer belongs to cells above and below it: the
+ * thinner one counts, so that its octahedron lies in those of both.
  */
 using GridPoint = std::array<std::int32_t, 3>;
 
 /// Half the sides of the voxels that limit the octahedron of a point, mm along the axes.
 Vector3 HalfSidesAt(const VoxelGrid& grid, const GridPoint& point);
 
-/// Labels on the two sides of a triangle, as indices into LabelMapSource::Values. The normal points from the first to the
-/// second, and the first index is less than the second. The background has the largest index, so normals point out of the bone.
+/// Labels on the two sides of a triangle, as indices into LabelMapSource::Values. The normal points
+/// from the first to the second, and the first index is less than the second. The background has
+/// the largest index, so normals point out of the bone.
 using BoundaryLabels = std::array<Index, 2>;
 
 /// What is known of the label map from which a surface was extracted.
 struct LabelMapSource
 {
   VoxelGrid Grid;
-  /// The labels of the image, ascending, and at the end the background, which may be less than they are.
+  /// The labels of the image, ascending, and at the end the background,
+  /// which may be less than they are.
   std::vector<std::int64_t> Values;
   std::vector<BoundaryLabels> OfTriangle; ///< Empty: one label.
   std::vector<GridPoint> OfPoint;         ///< Where each point was extracted. Empty: not known.

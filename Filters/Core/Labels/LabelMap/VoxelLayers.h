@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelLayers.h
- * @brief Layers of a label map as ranks, and a loop over the voxels in two layers at which labels differ.
+ * @brief Layers of a label map as ranks, and a loop over the voxels in two
+ * layers at which labels differ.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_VoxelLayers_h
 #define BoneDecimate_Core_Labels_LabelMap_VoxelLayers_h
@@ -24,7 +25,8 @@ using RankLayer = LargeArray<Index>;
 class VoxelLayers
 {
 public:
-  /// @param inMemory The layers that the image holds. Those that are not at an end of the grid get no background beyond them.
+  /// @param inMemory The layers that the image holds. Those that are not at an end of the grid
+  /// get no background beyond them.
   VoxelLayers(
     const LabelImage& image, const LayerRange& inMemory, const LabelRanks& ranks, bool isPadded);
 
@@ -51,7 +53,8 @@ private:
   std::array<Index, 3> Size;
 };
 
-/// A voxel and the labels of the cell of which it is the least corner; at the end of an axis, labels are repeated.
+/// A voxel and the labels of the cell of which it is the least corner; at the end
+/// of an axis, labels are repeated.
 struct VoxelVisit
 {
   std::size_t Voxel; ///< In its layer.
@@ -61,7 +64,8 @@ struct VoxelVisit
   CellLabels Labels;
 };
 
-/// Calls visit(const VoxelVisit&) in order of the voxels of the lower layer, for those with different labels.
+/// Calls visit(const VoxelVisit&) in order of the voxels of the lower layer,
+/// for those with different labels.
 template <typename Visit>
 class DifferentVoxels
 {

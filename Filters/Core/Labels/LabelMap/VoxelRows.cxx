@@ -64,7 +64,7 @@ bool Less(const Vector3& a, const Vector3& b)
   return std::tie(a[0], a[1], a[2]) < std::tie(b[0], b[1], b[2]);
 }
 
-/// Of each point, the same number for equal coordinates.
+/// A number for each point, the same for equal coordinates.
 std::vector<Index> NumbersOfPositions(const std::vector<Vector3>& points)
 {
   std::vector<Index> order(points.size());
@@ -80,8 +80,8 @@ std::vector<Index> NumbersOfPositions(const std::vector<Vector3>& points)
   return numbers;
 }
 
-/// The label before the first crossing of a row; None if all of them cancel. Crossings between the same two voxels have no order:
-/// the first ones that do not cancel lead out of that label.
+/// The label before the first crossing of a row; None if all of them cancel. Crossings between the
+/// same two voxels have no order: the first ones that do not cancel lead out of that label.
 template <typename Crossing>
 Index FirstLabel(const std::vector<Crossing>& all, std::size_t first)
 {

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelRows.h
- * @brief Voxelizes a surface with labels on both sides, row by row along the first axis of the grid.
+ * @brief Voxelizes a surface with labels on both sides, row by row
+ * along the first axis of the grid.
  *
  *     points in steps of the grid
  *     for each slice:    the triangles that its plane may meet
- *         for each row:  the triangles that it crosses (the winding number of their projection), exactly, and between which voxels
- *                        along the row each crossing replaces one label by the other
+ *         for each row:  the triangles that it crosses (the winding number of their
+ *                        projection), exactly, and between which voxels along the row each
+ *                        crossing replaces one label by the other
  *
- * A row on an edge or through a point counts as displaced by (e, e^2) along the other axes, and a voxel center on a triangle as
- * above it, so that all triangles agree.
+ * A row on an edge or through a point counts as displaced by (e, e^2) along the other axes, and a
+ * voxel center on a triangle as above it, so that all triangles agree.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_VoxelRows_h
 #define BoneDecimate_Core_Labels_LabelMap_VoxelRows_h
@@ -26,7 +28,8 @@ namespace bonedecimate
 struct LabeledSurface
 {
   const bonedecimate::Surface& Surface;
-  const std::vector<BoundaryLabels>& Labels; ///< Of each triangle; empty: 0 inside, 1 outside.
+  /// Labels of each triangle; empty: 0 inside, 1 outside.
+  const std::vector<BoundaryLabels>& Labels;
 };
 
 /// Voxel indices from First, Count along each axis.
@@ -55,7 +58,8 @@ public:
 
     /// @param z Index in the box.
     void Begin(std::int64_t z);
-    /// The labels along the row at y (index in the box): None if no triangle is crossed, or the crossings cancel and isOpen.
+    /// The labels along the row at y (index in the box): None if no triangle is crossed, or
+    /// the crossings cancel and isOpen.
     /// @param isOpen Begins with the label before the first crossing, else with the background.
     void Row(std::int64_t y, bool isOpen, std::vector<Index>& labels);
 

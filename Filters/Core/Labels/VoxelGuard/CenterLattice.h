@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CenterLattice.h
- * @brief The coordinates of voxel centers as integers of 2^-30 step: every step, or, along the third axis, where layers are.
+ * @brief The coordinates of voxel centers as integers of 2^-30 step: every step, or, along
+ * the third axis, where layers are.
  *
- * A layer has an index, as without positions of its own. Positions are rounded to integers once, so all predicates agree on them.
+ * A layer has an index, as without positions of its own. Positions are rounded to integers once,
+ * so all predicates agree on them.
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_CenterLattice_h
 #define BoneDecimate_Core_Labels_VoxelGuard_CenterLattice_h
@@ -24,7 +26,7 @@ public:
   /// As seen in a mirror across the third axis.
   CenterLattice Mirrored() const;
 
-  /// Of the centers with that index along an axis.
+  /// The coordinate of the centers with that index along an axis.
   std::int64_t Coordinate(std::size_t axis, std::int64_t index) const
   {
     return this->IsEven(axis) ? index * UnitsOfVoxel : this->LayerCoordinate(index);

@@ -34,7 +34,8 @@ private:
   std::size_t R, S, T;
 };
 
-/// On which side of the edge from a to b the displaced column through p lies; 0 only if the edge is along the column.
+/// On which side of the edge from a to b the displaced column through p lies; 0 only
+/// if the edge is along the column.
 int SideOfEdge(const FixedPoint& a, const FixedPoint& b, const FixedPoint& p)
 {
   const std::int64_t ds = b[1] - a[1];
@@ -47,7 +48,8 @@ int SideOfEdge(const FixedPoint& a, const FixedPoint& b, const FixedPoint& p)
 class TrianglePlane
 {
 public:
-  /// @param p On the column, at any height.  @param side Of the column for all edges: the sign of the normal along it.
+  /// @param p On the column, at any height.  @param side Of the column for all edges:
+  /// the sign of the normal along it.
   TrianglePlane(
     const FixedPoint& a, const FixedPoint& b, const FixedPoint& c, const FixedPoint& p, int side)
     : U{ b[0] - a[0], b[1] - a[1], b[2] - a[2] }
@@ -138,7 +140,7 @@ std::int64_t GuessBelow(const TrianglePlane& plane, std::int64_t first, std::int
                           : lattice.AtOrBelow(axis, static_cast<std::int64_t>(height));
 }
 
-std::int64_t HighestBelow(const TrianglePlane& plane, std::int64_t low, std::int64_t high,
+std::int64_t MaxBelow(const TrianglePlane& plane, std::int64_t low, std::int64_t high,
   const CenterLattice& lattice, std::size_t axis)
 {
   const std::int64_t first = lattice.AtOrAbove(axis, low);
@@ -180,6 +182,6 @@ ColumnCrossing CrossColumn(const FixedTriangle& corners, const FixedBox& box, co
     return {};
   }
   const TrianglePlane plane(a, b, c, p, side);
-  return { side, HighestBelow(plane, low[0], high[0], lattice, column.Axis) };
+  return { side, MaxBelow(plane, low[0], high[0], lattice, column.Axis) };
 }
 }

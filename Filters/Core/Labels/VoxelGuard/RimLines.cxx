@@ -11,7 +11,8 @@ namespace
 {
 using Plane = std::array<double, 2>; // steps
 
-/// The part of a segment from a to b, by its parameter, that is nearer to the origin than the margin; empty: first > second.
+/// The part of a segment from a to b, by its parameter, that is nearer to the origin than the
+/// margin; empty: first > second.
 std::pair<double, double> PartNear(const Plane& a, const Plane& b, double margin)
 {
   const Plane along = { b[0] - a[0], b[1] - a[1] };
@@ -32,7 +33,7 @@ double InSteps(std::int64_t units)
   return static_cast<double>(units) / static_cast<double>(UnitsOfVoxel);
 }
 
-/// Of the part of a line at these heights.
+/// The heights of a part of a line.
 struct HeightRange
 {
   double Low;

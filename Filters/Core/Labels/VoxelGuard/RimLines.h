@@ -4,9 +4,10 @@
  * @file RimLines.h
  * @brief Edges between voxel centers that pass near the rim of an open surface.
  *
- * Whether an edge of the grid crosses the surface decides over the labels of its ends. Beside a rim that is nearer to it than
- * the rounding of a program that voxelizes, that depends on rounding. The surface of a volume ends in planes of voxel
- * centers, so its rim is on edges of the grid in these planes; an edit must not bring it near others.
+ * Whether an edge of the grid crosses the surface decides over the labels of its ends. Beside a rim
+ * that is nearer to it than the rounding of a program that voxelizes, that depends on rounding. The
+ * surface of a volume ends in planes of voxel centers, so its rim is on edges of the grid in these
+ * planes; an edit must not bring it near others.
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_RimLines_h
 #define BoneDecimate_Core_Labels_VoxelGuard_RimLines_h

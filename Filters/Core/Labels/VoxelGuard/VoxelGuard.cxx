@@ -12,7 +12,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the error bound, in voxels.
+/// Error bound from which edits are large, in voxels.
 constexpr double ErrorOfLargeEdits = 0.4;
 
 /// What the boundary edges between two vertices add up to for one label.
@@ -90,7 +90,8 @@ FixedTriangle VoxelGuard::Convert(const std::array<Vector3, 3>& corners) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether the boundary of the surface changes. Where manifold patches meet, their edges cancel label by label.
+/// Whether the boundary of the surface changes. Where manifold patches meet,
+/// their edges cancel label by label.
 bool VoxelGuard::IsOpen(const HalfEdgeMesh& mesh, const SurfaceChange& change) const
 {
   if (change.BoundaryStays || change.OldBoundary.empty())

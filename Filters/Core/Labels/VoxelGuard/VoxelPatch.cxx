@@ -12,7 +12,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Voxel centers near a triangle, at most one on each line along the axis that is most nearly its normal.
+/// Voxel centers near a triangle, at most one on each line along the axis
+/// that is most nearly its normal.
 class CentersNear
 {
 public:
@@ -71,7 +72,7 @@ public:
   }
 
 private:
-  /// Of a plane, from the first one.
+  /// The coordinate of a plane relative to the first one.
   double CoordinateOf(Eigen::Index axis, std::int64_t plane) const
   {
     const auto k = static_cast<std::size_t>(axis);
@@ -181,7 +182,7 @@ bool VoxelPatch::KeepsLabels(bool isOpen)
     return true;
   }
   const FixedBox box = this->Box();
-  if (box.Size() > LargestPatch)
+  if (box.Size() > MaxPatch)
   {
     return false;
   }
@@ -209,7 +210,8 @@ bool VoxelPatch::KeepsLabels(bool isOpen)
 }
 
 //------------------------------------------------------------------------------
-/// The displacement of voxel centers is not its own mirror image, nor are layers with positions of their own.
+/// The displacement of voxel centers is not its own mirror image, nor are
+/// layers with positions of their own.
 void VoxelPatch::Mirror(std::size_t axis)
 {
   this->IsMirrored = this->IsMirrored != (axis == 2);

@@ -4,13 +4,15 @@
  * @file VoxelPatch.h
  * @brief Two patches of triangles with the same rim: whether a voxel center lies between them.
  *
- * The old patch and the reversed new one are a closed surface. Along one axis, on every edge between two voxel centers, the
- * signed crossings of the old triangles must equal those of the new ones; then no winding number differs. With several labels
- * this holds label by label: a triangle counts +1 for the first of its labels and -1 for the second.
+ * The old patch and the reversed new one are a closed surface. Along one axis, on every edge
+ * between two voxel centers, the signed crossings of the old triangles must equal those of the new
+ * ones; then no winding number differs. With several labels this holds label by label: a triangle
+ * counts +1 for the first of its labels and -1 for the second.
  *
- * If the rim differs, the surface is open there. Then all three axes are checked, with the displacements of
- * ColumnCrossing.h into all octants, since a boundary may lie in a plane of voxel centers. The new rim must not come near an
- * edge between voxel centers that the old one is not near (RimLines.h).
+ * If the rim differs, the surface is open there. Then all three axes are checked, with the
+ * displacements of ColumnCrossing.h into all octants, since a boundary may lie in a plane
+ * of voxel centers. The new rim must not come near an edge between voxel centers that the
+ * old one is not near (RimLines.h).
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_VoxelPatch_h
 #define BoneDecimate_Core_Labels_VoxelGuard_VoxelPatch_h
@@ -39,14 +41,16 @@ public:
   void AddOldRim(const FixedPoint& from, const FixedPoint& to, double margin);
   void AddNewRim(const FixedPoint& from, const FixedPoint& to, double margin);
 
-  /// Whether every voxel center keeps its labels. False, too, if the patches are larger than LargestPatch.
+  /// Whether every voxel center keeps its labels. False, too, if the
+  /// patches are larger than MaxPatch.
   bool KeepsLabels(bool isOpen);
 
   /// Whether a new triangle is nearer to a voxel center than that.
   /// @param margin Voxels, less than 0.1.
   bool IsNearCenter(double margin) const;
 
-  /// Whether the new rim is nearer than its margin to an edge of the grid that the old one is not near.
+  /// Whether the new rim is nearer than its margin to an edge of the
+  /// grid that the old one is not near.
   bool IsRimNearOtherEdges() const;
 
 private:

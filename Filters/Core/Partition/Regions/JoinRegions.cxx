@@ -12,7 +12,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of each triangle of the cleaned surface, whether it is not of a region.
+/// Whether a triangle of the cleaned surface belongs to no region.
 std::vector<char> UnchangedTriangles(const WholeSurface& whole, const RegionParts& parts)
 {
   std::vector<char> isUnchanged(whole.Cleaned.Surface.Triangles.size(), 1);
@@ -150,8 +150,8 @@ bool IsComplete(const Surface& surface)
     });
 }
 
-/// Marks the triangles of the input that the part has; false if one of them is another one there, or if one of the result is
-/// neither new nor unchanged.
+/// Marks the triangles of the input that the part has; false if one of them is another one there,
+/// or if one of the result is neither new nor unchanged.
 bool CheckPart(const Surface& input, const WholeSurface& whole, const RegionPart& part,
   const std::vector<char>& isUnchanged, std::vector<char>& isCovered)
 {
@@ -179,7 +179,8 @@ bool CheckPart(const Surface& input, const WholeSurface& whole, const RegionPart
   return true;
 }
 
-/// Whether the triangles from there on are the new ones of the part.  @param next Moved behind them.
+/// Whether the triangles from there on are the new ones of the part.
+/// @param next Moved behind them.
 bool AreNewTriangles(const RegionPart& part, const Surface& surface, std::size_t& next)
 {
   for (std::size_t t = 0; t < part.OldTriangle.size(); ++t)

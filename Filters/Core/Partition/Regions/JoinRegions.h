@@ -5,9 +5,11 @@
  * @brief Puts the results of regions into the unchanged rest of the surface.
  *
  *     triangles    the unchanged ones in the order of the input, then the new ones of each region
- *     points       those of unchanged triangles in the order of the input, then the new ones of each region
+ *     points       those of unchanged triangles in the order of the input,
+ *                  then the new ones of each region
  *
- * CheckJoined() compares the result with the input by coordinates alone, so that an error of joining cannot hide.
+ * CheckJoined() compares the result with the input by coordinates alone, so that
+ * an error of joining cannot hide.
  */
 #ifndef BoneDecimate_Core_Partition_Regions_JoinRegions_h
 #define BoneDecimate_Core_Partition_Regions_JoinRegions_h
@@ -26,13 +28,11 @@ using RegionParts = std::vector<std::shared_ptr<const RegionPart>>;
 struct JoinedRegions
 {
   bonedecimate::Surface Surface;
-  std::vector<Index>
-    UnchangedTriangle; ///< Of each of the first triangles, that of the cleaned surface.
-  std::vector<Index> UnchangedPoint; ///< Of each of the first points, that of the cleaned surface.
-  /// Of each part and each point of its result, the point of the surface.
+  std::vector<Index> UnchangedTriangle; ///< The cleaned triangle of each of the first ones.
+  std::vector<Index> UnchangedPoint;    ///< The cleaned point of each of the first ones.
+  /// The point of the surface for each part and each point of its result.
   std::vector<std::vector<Index>> PointOfPart;
-  std::vector<Index>
-    OutputPoint; ///< Of each point of the cleaned surface; None: it is no more there.
+  std::vector<Index> OutputPoint; ///< The point of each cleaned one; None: it was removed.
 };
 
 /// The regions of the parts must have no point in common.
@@ -41,7 +41,8 @@ JoinedRegions JoinRegions(
 
 /**
  * Whether the surface is the input but for the regions, by coordinates:
- *     each unchanged triangle is one of the input; every other triangle is a new one of a part, in order
+ *     each unchanged triangle is one of the input; every other triangle
+ *       is a new one of a part, in order
  *     each triangle that cleaning kept is unchanged or one of a part
  *     each triangle of a part's result is new, or unchanged in the surface
  * Then a distance proved between each part and its result holds for the whole.

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RegionCache.h
- * @brief What runs over regions of the same surface keep: the prepared surface and the results of regions.
+ * @brief What runs over regions of the same surface keep: the prepared
+ * surface and the results of regions.
  *
  *     surface    compared with the input of each run, bit for bit; another one replaces everything
- *     results    found again by triangles, tolerances and options; the ones used last, with at most as many triangles as the surface
+ *     results    found again by triangles, tolerances and options; the ones used last, with at most
+ *                as many triangles as the surface
  *
  * Results do not depend on it. A run that begins while another one uses it keeps nothing.
  */
@@ -22,14 +24,15 @@
 
 namespace bonedecimate
 {
-/// What a run over regions needs of the whole surface. Follows from the input and MergePoints alone.
+/// What a run over regions needs of the whole surface. Follows from
+/// the input and MergePoints alone.
 struct WholeSurface
 {
   CleanSurface Cleaned; ///< Also the counts of points that are not manifold.
   SurfaceStatistics Statistics;
-  SurfaceParts Components; ///< Of the triangles.
+  SurfaceParts Components; ///< Components of the triangles.
   std::vector<PartExtent> Extents;
-  std::uint64_t Checksum = 0; ///< Of the input.
+  std::uint64_t Checksum = 0; ///< Checksum of the input.
   bool IsSingle = false; ///< Whether all coordinates of the input are single precision numbers.
 };
 
@@ -39,15 +42,18 @@ WholeSurface PrepareWhole(const Surface& input, bool mergePoints, int threads);
 class RegionCache
 {
 public:
-  /// Before and after a run, by which alone the functions below may be called. False if another run uses it.
+  /// Before and after a run, by which alone the functions below may be
+  /// called. False if another run uses it.
   bool BeginRun();
   void EndRun();
 
-  /// Prepares the surface, unless it was the last one. Results for other labels (null: none) are dropped.
+  /// Prepares the surface, unless it was the last one. Results for other
+  /// labels (null: none) are dropped.
   const WholeSurface& Whole(
     const Surface& input, const Labels* labels, bool mergePoints, int threads);
 
-  /// The result for this region of the last surface; null: none is kept.  @param options Of the region's run.
+  /// The result for this region of the last surface; null: none is kept.
+  /// @param options Of the region's run.
   std::shared_ptr<const RegionPart> Find(
     const Region& region, const Options& options, bool inputIsSingle);
   void Keep(

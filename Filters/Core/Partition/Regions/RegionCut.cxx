@@ -15,7 +15,7 @@ namespace bonedecimate
 namespace
 {
 /// More connected pieces than this are one region: merging compares all pairs.
-constexpr Index MostRegions = 256;
+constexpr Index MaxRegions = 256;
 
 /// The ids below count for which isChosen(id), ascending.
 template <typename IsChosen>
@@ -86,7 +86,8 @@ void MergeNear(std::vector<Region>& regions, double reach)
   }
 }
 
-/// Merges those with points that are neighbors: the surroundings of one would have triangles of the other.
+/// Merges those with points that are neighbors: the surroundings of one
+/// would have triangles of the other.
 void MergeNeighbors(const Surface& clean, std::vector<Region>& regions)
 {
   std::vector<Index> regionOf(clean.Points.size(), None);
@@ -134,7 +135,7 @@ std::vector<Region> PiecesOf(const Surface& clean, const std::vector<Index>& tri
     NumberVertices(clean.Points.size(), changeable.Triangles, threads);
   changeable.Points.resize(points.size());
   Components pieces = FindComponents(changeable);
-  if (pieces.Count > MostRegions)
+  if (pieces.Count > MaxRegions)
   {
     pieces.Count = 1;
     std::fill(pieces.OfPoint.begin(), pieces.OfPoint.end(), 0);

@@ -4,8 +4,10 @@
  * @file RegionCut.h
  * @brief Finds the regions in which a surface may change, and cuts each out with its surroundings.
  *
- *     regions         connected by common points; those within reach of each other, or with points that are neighbors, are one
- *     surroundings    triangles within reach of the convex bound of the region (Slabs.h), and two rings around it
+ *     regions         connected by common points; those within reach of each other, or with
+ *                     points that are neighbors, are one
+ *     surroundings    triangles within reach of the convex bound of the region
+ *                     (Slabs.h), and two rings around it
  *
  * Nothing depends on the number of threads.
  */
@@ -17,7 +19,8 @@
 
 namespace bonedecimate
 {
-/// @param tolerances mm, of each point of the cleaned surface; triangles with one of 0 do not change.  @param reach mm
+/// @param tolerances mm, of each point of the cleaned surface; triangles with one of 0
+/// do not change.  @param reach mm
 std::vector<Region> FindRegions(
   const Surface& clean, const std::vector<double>& tolerances, double reach, int threads);
 

@@ -5,7 +5,8 @@
  * @brief The part of a surface that a run over a region reads, and its result.
  *
  *     region          triangles that may change: no corner has a tolerance of 0
- *     surroundings    unchanged triangles, so many that nothing beyond them has an influence on the region
+ *     surroundings    unchanged triangles, so many that nothing beyond them
+ *                     has an influence on the region
  *     part            region and surroundings as a surface, which an ordinary run simplifies
  */
 #ifndef BoneDecimate_Core_Partition_Regions_RegionPart_h
@@ -26,7 +27,7 @@ struct Region
   std::vector<Index> Points;      ///< Their corners. No other region has one of them.
   std::vector<double> Tolerances; ///< mm, of these points; negative: none.
   double Reach = 0.0;             ///< mm, within which triangles are surroundings.
-  Slabs Bound;                    ///< Of these points, mm relative to the local origin.
+  Slabs Bound;                    ///< Bound of these points, mm relative to the local origin.
 
   bool operator==(const Region& other) const
   {
@@ -39,16 +40,16 @@ struct RegionPart
 {
   Region Covered;
   bonedecimate::Surface Surface;  ///< mm, points bit for bit those of the input.
-  std::vector<Index> Points;      ///< Of each of its points, that of the cleaned whole surface.
-  std::vector<Index> Triangles;   ///< Of each of its triangles, the same.
+  std::vector<Index> Points;      ///< For each of its points that of the cleaned whole surface.
+  std::vector<Index> Triangles;   ///< For each of its triangles, the same.
   std::vector<double> Tolerances; ///< mm, of its points; 0 at points that are not of the region.
-  bonedecimate::Labels Labels;    ///< Of its triangles; empty: there are none.
+  bonedecimate::Labels Labels;    ///< Labels of its triangles; empty: there are none.
 
   bonedecimate::Result Result;
   std::vector<Index>
-    OldTriangle; ///< Of each triangle of the result, the unchanged one; None: it is new.
-  std::vector<Index>
-    OldPoint; ///< Of each point of the result, the corner of unchanged triangles; None: of new ones alone.
+    OldTriangle; ///< The unchanged triangle of each result triangle; None: it is new.
+  /// For each point of the result the corner of unchanged triangles; None: of new ones alone.
+  std::vector<Index> OldPoint;
 };
 }
 

@@ -19,7 +19,7 @@ namespace bonedecimate
 namespace
 {
 /// The same as FragmentGuard keeps; it sees a component that is cut as an open one.
-constexpr double LeastVolumeRatio = 0.25;
+constexpr double MinVolumeRatio = 0.25;
 
 SurfaceStatistics StatisticsOfResult(const WholeSurface& whole, const RegionParts& parts,
   const std::map<Index, ExtentChange>& changes, const Surface& surface, int threads)
@@ -44,7 +44,7 @@ SurfaceStatistics StatisticsOfResult(const WholeSurface& whole, const RegionPart
   return output;
 }
 
-/// Of what a surface without area or points has, 0.
+/// The mean; 0 for a surface without area or points.
 double Ratio(double sum, double of)
 {
   return of > 0.0 ? sum / of : 0.0;
@@ -108,8 +108,9 @@ void CombineMeasured(const RegionParts& parts, Report& report)
     report.Input.BoundaryEdges > 0 && report.Requested.MergePoints; // others are not compared
 }
 
-/// The largest bounds. Beyond the reach of a part there is more of the surface, so that a lower bound ends there.
-ProvedDistance LargestBounds(
+/// The largest bounds. Beyond the reach of a part there is more of the surface, so
+/// that a lower bound ends there.
+ProvedDistance MaxBounds(
   const RegionParts& parts, const std::function<ProvedDistance(const Report&)>& boundsOf)
 {
   ProvedDistance largest;
@@ -129,17 +130,17 @@ void CombineProofs(const RegionParts& parts, Report& report)
   proof.Status = ProofStatus::Proved;
   proof.Tolerance = report.Requested.BoundsError() ? report.Size.ErrorBound : 0.0;
   proof.InputToOutput =
-    LargestBounds(parts, [](const Report& part) { return part.Proof.InputToOutput; });
+    MaxBounds(parts, [](const Report& part) { return part.Proof.InputToOutput; });
   proof.OutputToInput =
-    LargestBounds(parts, [](const Report& part) { return part.Proof.OutputToInput; });
+    MaxBounds(parts, [](const Report& part) { return part.Proof.OutputToInput; });
   proof.BoundariesCompared = report.Requested.MergePoints;
   if (proof.BoundariesCompared && report.Input.BoundaryEdges > 0)
   {
     proof.Boundaries = BoundaryPresence::Both;
     proof.BoundaryInputToOutput =
-      LargestBounds(parts, [](const Report& part) { return part.Proof.BoundaryInputToOutput; });
+      MaxBounds(parts, [](const Report& part) { return part.Proof.BoundaryInputToOutput; });
     proof.BoundaryOutputToInput =
-      LargestBounds(parts, [](const Report& part) { return part.Proof.BoundaryOutputToInput; });
+      MaxBounds(parts, [](const Report& part) { return part.Proof.BoundaryOutputToInput; });
   }
 }
 
@@ -174,7 +175,8 @@ bool ArePartsValid(const WholeSurface& whole, const RegionParts& parts,
       {
         const ErrorProof& proof = part->Result.Report.Proof;
         const double surface = std::max(proof.InputToOutput.Upper, proof.OutputToInput.Upper);
-        // Where the part was cut it has boundaries that the surface lacks: none of them is near enough to count.
+        // Where the part was cut it has boundaries that the surface lacks: none
+        // of them is near enough to count.
         return proof.WasMade && proof.Status == ProofStatus::Proved &&
           proof.Upper() + surface < part->Covered.Reach;
       });
@@ -184,7 +186,7 @@ bool ArePartsValid(const WholeSurface& whole, const RegionParts& parts,
       {
         const PartExtent& before = whole.Extents[change.first];
         const double after = (before.Volume + change.second.Volume) / before.Volume;
-        return !before.IsClosed || before.Volume == 0.0 || after >= LeastVolumeRatio;
+        return !before.IsClosed || before.Volume == 0.0 || after >= MinVolumeRatio;
       });
 }
 
@@ -213,9 +215,9 @@ void CombineReports(const WholeSurface& whole, const RegionParts& parts,
   else if (report.BoundariesMeasured)
   {
     report.BoundaryInputToOutput =
-      LargestBounds(parts, [](const Report& part) { return part.BoundaryInputToOutput; });
+      MaxBounds(parts, [](const Report& part) { return part.BoundaryInputToOutput; });
     report.BoundaryOutputToInput =
-      LargestBounds(parts, [](const Report& part) { return part.BoundaryOutputToInput; });
+      MaxBounds(parts, [](const Report& part) { return part.BoundaryOutputToInput; });
   }
 }
 

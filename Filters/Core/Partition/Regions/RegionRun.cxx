@@ -36,7 +36,8 @@ std::vector<Request> RequestsOf(const RunInputs& inputs)
     { "edge lengths of points", { Need::GradedLengths }, inputs.EdgeLengths != nullptr } };
 }
 
-/// Whether the largest error or a tolerance limits every point, and no request needs the whole surface.
+/// Whether the largest error or a tolerance limits every point, and no
+/// request needs the whole surface.
 bool CanRunInRegions(const Options& options, const RunInputs& inputs)
 {
   const std::vector<double>& tolerances = *inputs.Tolerances;
@@ -125,7 +126,8 @@ private:
     return this->RunParts() && this->Join() ? RegionStatus::Used : RegionStatus::NotProved;
   }
 
-  /// False if the whole has to run, because it rejects the input or rounds it, or feature curves meet edges that are not manifold.
+  /// False if the whole has to run, because it rejects the input or rounds it, or feature curves
+  /// meet edges that are not manifold.
   bool FindRegions()
   {
     const Options& options = this->Effective;
@@ -135,6 +137,7 @@ private:
     const CleanSurface& clean = this->Prepared->Cleaned;
     Report& report = this->Made.Report;
     report.Cleaning = clean.Statistics;
+    report.HasTolerances = true;
     const PointRounding rounding = RoundingOf(options, this->Inputs.InputIsSingle);
     const bool isManifold = clean.Statistics.NonManifoldPoints == 0;
     if (clean.Status != InputStatus::Good || rounding.HasGrid() ||
@@ -164,7 +167,8 @@ private:
     return options;
   }
 
-  /// Fills in the parts whose results are kept, and cuts the others. False if they are more than half of the surface.
+  /// Fills in the parts whose results are kept, and cuts the others. False if they are
+  /// more than half of the surface.
   bool CutRegions()
   {
     const CleanSurface& clean = this->Prepared->Cleaned;
@@ -205,7 +209,8 @@ private:
     }
   }
 
-  /// False if the result of a part cannot be used. After an abort the other regions stay as they are.
+  /// False if the result of a part cannot be used. After an abort the
+  /// other regions stay as they are.
   bool RunParts()
   {
     this->Progress.Stage(0.0, PreparedAt)(1.0);

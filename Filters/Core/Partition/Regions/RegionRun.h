@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RegionRun.h
- * @brief A run in which most of the surface may not change reads the rest of it only near what may change.
+ * @brief A run in which most of the surface may not change reads the rest
+ * of it only near what may change.
  *
  *     prepared = RegionCache::Whole(input)     cleaned, counted; once for each surface
  *     regions  = FindRegions(tolerances)       triangles without a corner of tolerance 0
@@ -29,7 +30,8 @@ namespace bonedecimate
 using WholeRun =
   std::function<Result(const Surface&, const Options&, const Monitor&, const RunInputs&)>;
 
-/// Runs the regions alone if most of the surface may not change, and otherwise, or if that fails, the whole; the report says which.
+/// Runs the regions alone if most of the surface may not change, and otherwise, or if that fails,
+/// the whole; the report says which.
 /// @param options Must be valid.  @param run Simplifies a part, or the whole.
 Result DecimateRegions(const Surface& input, const Options& options, const Monitor& monitor,
   const RunInputs& inputs, const WholeRun& run);

@@ -44,7 +44,7 @@ Surface Changed(const Surface& before, const Surface& after)
   return changed;
 }
 
-/// Of every point of the first surface, to the second one.
+/// Bounds the distance of every point of the first surface from the second one.
 DirectedCertificate Prove(const Surface& from, const Surface& to,
   const CertificateOptions& question, const Monitor& monitor, ProofStatus& status)
 {

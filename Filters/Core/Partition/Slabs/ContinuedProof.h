@@ -4,8 +4,8 @@
  * @file ContinuedProof.h
  * @brief The certificate of a run that continues an earlier one (SurfacePart::Reference).
  *
- *     original -> result      of all triangles whose distance the run may have changed
- *     result -> original      of the triangles that the run has changed; all others are as they were
+ *     original -> result     of all triangles whose distance the run may have changed
+ *     result -> original     of the triangles that the run has changed; all others are as they were
  */
 #ifndef BoneDecimate_Core_Partition_Slabs_ContinuedProof_h
 #define BoneDecimate_Core_Partition_Slabs_ContinuedProof_h
@@ -22,7 +22,7 @@ namespace bonedecimate
 struct ContinuedRun
 {
   const Surface& Original; ///< All of it that is within the largest error of what has changed.
-  const Surface& Covered;  ///< Of it, what the run may have uncovered.
+  const Surface& Covered;  ///< The part of Original that the run may have uncovered.
   const Surface& Before;   ///< From which the run started.
   const Surface& After;
 };
@@ -32,7 +32,8 @@ struct ContinuedProof
   ProofStatus Status = ProofStatus::Proved;
   ProvedDistance OriginalToResult; ///< mm
   ProvedDistance ResultToOriginal; ///< mm
-  /// mm, of each point of the result, of the changed triangles around it; not a number if there are none.
+  /// mm, of each point of the result, of the changed triangles around it;
+  /// not a number if there are none.
   std::vector<double> Bounds;
 };
 

@@ -5,7 +5,8 @@
  * @brief The result of a run in slabs so far: what is finished, and what later runs may change.
  *
  *     Take       moves what reaches into a zone out of it, as a surface of its own
- *     PutBack    the changed strip and what was added to it; its points that stayed are found by their coordinates
+ *     PutBack    the changed strip and what was added to it; its points that stayed
+ *                are found by their coordinates
  *     Finish     what is below a position is no longer searched
  */
 #ifndef BoneDecimate_Core_Partition_Slabs_GrowingSurface_h
@@ -23,7 +24,7 @@ public:
   struct Strip
   {
     SurfacePiece Piece;
-    std::vector<Index> Points; ///< Of each point, that of the whole.
+    std::vector<Index> Points; ///< The point of the whole for each point.
   };
   Strip Take(const Zone& zone);
   void PutBack(const Strip& taken, const SurfacePiece& changed);

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OpenBoundaries.h
- * @brief The open boundaries of a surface that arrives in slabs, and the certificate of their distance.
+ * @brief The open boundaries of a surface that arrives in slabs, and the
+ * certificate of their distance.
  *
- * Edges of one triangle are boundaries. Those in a plane between two slabs count the triangles of both. Boundaries are few compared
- * with triangles, so all of them are kept and compared as a whole, curve to curve.
+ * Edges of one triangle are boundaries. Those in a plane between two slabs count the
+ * triangles of both. Boundaries are few compared with triangles, so all of them are kept and
+ * compared as a whole, curve to curve.
  */
 #ifndef BoneDecimate_Core_Partition_Slabs_OpenBoundaries_h
 #define BoneDecimate_Core_Partition_Slabs_OpenBoundaries_h
@@ -22,7 +24,8 @@ namespace bonedecimate
 class OpenBoundaries
 {
 public:
-  /// @param clean The slab, cleaned.  @param isInLower,isInUpper Of each point of the slab, whether it is in one of its planes.
+  /// @param clean The slab, cleaned.  @param isInLower,isInUpper Of each point of the slab,
+  /// whether it is in one of its planes.
   void Add(const Surface& slab, const CleanSurface& clean, const std::vector<char>& isInLower,
     const std::vector<char>& isInUpper);
 

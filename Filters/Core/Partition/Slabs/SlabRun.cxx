@@ -23,15 +23,17 @@ namespace bonedecimate
 {
 namespace
 {
-/// Points so near to a plane, as a fraction of their largest coordinate, are in it: single precision is that coarse.
+/// Points so near to a plane, as a fraction of their largest coordinate, are in it:
+/// single precision is that coarse.
 constexpr double PlaneSlack = 1e-6;
-/// How far below its plane the next run goes on, in mean edges of the result (over its area) and in largest errors.
+/// How far below its plane the next run goes on, in mean edges of the result (over
+/// its area) and in largest errors.
 constexpr double EdgesOfZone = 3.0;
 constexpr double ErrorsOfZone = 2.0;
 /// Below the zone, where boundary edges are told from edges of a cut: less than ZoneMargin().
 constexpr double ErrorsOfBoundaries = 2.0;
 /// Largest number of original triangles in the zone, relative to that of the largest slab.
-constexpr double MostOfZone = 1.5;
+constexpr double MaxOfZone = 1.5;
 }
 
 class SlabRun::Implementation
@@ -51,8 +53,8 @@ public:
     if (this->Status == SlabStatus::Good && this->IsValid(slab))
     {
       this->Figures.Slabs += slab.Surface.Triangles.empty() ? 0 : 1;
-      this->Figures.LargestSlab = std::max(
-        this->Figures.LargestSlab, static_cast<std::int64_t>(slab.Surface.Triangles.size()));
+      this->Figures.MaxSlab =
+        std::max(this->Figures.MaxSlab, static_cast<std::int64_t>(slab.Surface.Triangles.size()));
       this->Count(slab);
       this->DecimateTo(
         slab.Top, { std::move(slab.Surface), std::move(slab.BoundaryLabels) }, monitor);
@@ -134,7 +136,7 @@ private:
       return this->Fail(
         SlabStatus::BadSlab, "The upper plane of a slab is not above the lower one.");
     }
-    this->Slack = std::max(this->Slack, PlaneSlack * LargestCoordinateOf(slab.Surface));
+    this->Slack = std::max(this->Slack, PlaneSlack * MaxCoordinateOf(slab.Surface));
     for (const Triangle& c : slab.Surface.Triangles)
     {
       for (const Index corner : c)
@@ -154,7 +156,7 @@ private:
       this->Fail(SlabStatus::BadSlab, "A slab does not have one pair of labels for each triangle.");
   }
 
-  /// Of each point, whether it is in the plane.
+  /// Whether each point is in the plane.
   std::vector<char> AreInPlane(const Surface& surface, double plane) const
   {
     std::vector<char> are;
@@ -192,7 +194,7 @@ private:
         DecimateZone(zone, this->Effective, this->Source(), this->Inputs.InputIsSingle, monitor);
       this->Take(made, zone.Strip);
       this->Growing.PutBack(strip, zone.Strip);
-      this->ZoneFrom = std::max({ this->ZoneFrom, this->LowestZone(zone.Original.Shape),
+      this->ZoneFrom = std::max({ this->ZoneFrom, this->MinZone(zone.Original.Shape),
         top - EdgesOfZone * MeanEdge(zone.Strip.Shape) - ErrorsOfZone * error });
     }
     this->Bottom = top;
@@ -202,10 +204,10 @@ private:
   }
 
   /// mm, of a zone with so many original triangles as the memory of a slab allows.
-  double LowestZone(const Surface& original) const
+  double MinZone(const Surface& original) const
   {
     const std::size_t most =
-      static_cast<std::size_t>(MostOfZone * static_cast<double>(this->Figures.LargestSlab));
+      static_cast<std::size_t>(MaxOfZone * static_cast<double>(this->Figures.MaxSlab));
     if (original.Triangles.size() <= most)
     {
       return -Infinity;
@@ -221,7 +223,7 @@ private:
     return *lowest;
   }
 
-  /// Of each point, whether its component ends below the slab: earlier runs have finished it.
+  /// Whether the component of a point ends below the slab, so that earlier runs have finished it.
   std::vector<char> FarFromSlab(const Surface& surface) const
   {
     const Components found = FindComponents(surface);

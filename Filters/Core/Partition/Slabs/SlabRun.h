@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlabRun.h
- * @brief Decimates a surface that arrives in slabs between parallel planes and is never in memory as a whole.
+ * @brief Decimates a surface that arrives in slabs between parallel planes and
+ * is never in memory as a whole.
  *
- *     slab      all triangles between two planes; points in a plane are those of both slabs, bit for bit
- *     Add       decimates the slab while its points in the upper plane stay, together with a zone below it, where the result is
- *               decimated further, within the same largest error of the original triangles
+ *     slab      all triangles between two planes; points in a plane are
+ *               those of both slabs, bit for bit
+ *     Add       decimates the slab while its points in the upper plane stay, together with a
+ *               zone below it, where the result is decimated further, within the same largest
+ *               error of the original triangles
  *     Finish    the whole surface, its figures and the proof
  *
- * The largest error holds between the whole original and the whole result. Documentation/slabs.md says why.
+ * The largest error holds between the whole original and the whole result.
+ * Documentation/slabs.md says why.
  */
 #ifndef BoneDecimate_Core_Partition_Slabs_SlabRun_h
 #define BoneDecimate_Core_Partition_Slabs_SlabRun_h
@@ -26,8 +30,9 @@ namespace bonedecimate
 /// The direction in which slabs follow each other.
 struct SlabAxis
 {
-  Vector3 Direction = Vector3::UnitZ(); ///< Of length 1, from each slab to the next.
-  /// mm along the direction: below all points. Positions are the scalar product of a point and the direction.
+  Vector3 Direction = Vector3::UnitZ(); ///< Unit vector from each slab to the next.
+  /// mm along the direction: below all points. Positions are the scalar
+  /// product of a point and the direction.
   double Bottom = 0.0;
 };
 
@@ -36,7 +41,8 @@ struct Slab
   bonedecimate::Surface
     Surface;        ///< mm; points in the planes have the same coordinates in both slabs.
   double Top = 0.0; ///< mm along the axis, of its upper plane; above that of the slab before.
-  /// Of its triangles, as in LabelMapSource::OfTriangle; empty in all slabs: there is one label.
+  /// Labels of its triangles, as in LabelMapSource::OfTriangle; empty in
+  /// all slabs: there is one label.
   std::vector<bonedecimate::BoundaryLabels> BoundaryLabels;
 };
 
@@ -44,8 +50,8 @@ struct Slab
 struct SlabInputs
 {
   bool InputIsSingle = false; ///< As in RunInputs.
-  /// The grid and the labels of the label map, if there is one; triangles and points are those of the slabs. With a grid its
-  /// voxels are guarded (KeepVoxels).
+  /// The grid and the labels of the label map, if there is one; triangles and points are those of
+  /// the slabs. With a grid its voxels are guarded (KeepVoxels).
   LabelMapSource LabelMap;
   std::vector<LeftOutShape> LeftOut; ///< What the source of the slabs left out.
 };
@@ -61,11 +67,12 @@ enum class SlabStatus : int
 /// What slabs amount to.
 struct SlabFigures
 {
-  std::int64_t Slabs = 0;            ///< With triangles.
-  std::int64_t LargestSlab = 0;      ///< Input triangles.
-  std::int64_t UnprovedSlabs = 0;    ///< That stayed as they were, because no proof was found.
-  std::int64_t ComponentsBefore = 0; ///< Of the whole surface, connected by common points.
-  double VolumeBefore = 0.0;         ///< mm^3, signed, as in SurfaceStatistics.
+  std::int64_t Slabs = 0;         ///< With triangles.
+  std::int64_t MaxSlab = 0;       ///< Input triangles.
+  std::int64_t UnprovedSlabs = 0; ///< That stayed as they were, because no proof was found.
+  /// Components of the whole surface, connected by common points.
+  std::int64_t ComponentsBefore = 0;
+  double VolumeBefore = 0.0; ///< mm^3, signed, as in SurfaceStatistics.
 };
 
 /**
@@ -75,8 +82,8 @@ struct SlabFigures
 class SlabRun
 {
 public:
-  /// @param options MaximumError must be set, in a mode that proves errors; smoothing, pruning, numbers of triangles and
-  ///        ErrorPreset without VoxelSize are rejected.
+  /// @param options MaximumError must be set, in a mode that proves errors; smoothing, pruning,
+  /// numbers of triangles and ErrorPreset without VoxelSize are rejected.
   SlabRun(const Options& options, const SlabAxis& axis, const SlabInputs& inputs = {});
   ~SlabRun();
   SlabRun(const SlabRun&) = delete;

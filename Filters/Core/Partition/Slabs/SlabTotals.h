@@ -4,7 +4,8 @@
  * @file SlabTotals.h
  * @brief Figures of the whole surface from those of its slabs.
  *
- *     triangles, area, volume    sums; volumes relative to one position, so that those of open slabs add up
+ *     triangles, area, volume    sums; volumes relative to one position, so
+ *                                that those of open slabs add up
  *     components                 of the slabs, joined where they have points in a plane in common
  */
 #ifndef BoneDecimate_Core_Partition_Slabs_SlabTotals_h
@@ -26,7 +27,8 @@ double MeanEdge(const Surface& surface);
 class SlabTotals
 {
 public:
-  /// @param clean The slab, cleaned.  @param isInLower,isInUpper Of each point, whether it is in a plane of the slab.
+  /// @param clean The slab, cleaned.  @param isInLower,isInUpper Of each point,
+  /// whether it is in a plane of the slab.
   void Add(const Slab& slab, const CleanSurface& clean, const std::vector<char>& isInLower,
     const std::vector<char>& isInUpper, int threads);
   void AddEdits(const Report& report);

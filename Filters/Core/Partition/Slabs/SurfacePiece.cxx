@@ -67,7 +67,7 @@ SurfacePiece Joined(SurfacePiece first, const SurfacePiece& second)
 }
 
 //------------------------------------------------------------------------------
-double LargestCoordinateOf(const Surface& surface)
+double MaxCoordinateOf(const Surface& surface)
 {
   double largest = 0.0;
   for (const Vector3& p : surface.Points)

@@ -18,7 +18,7 @@ namespace bonedecimate
 struct SurfacePiece
 {
   Surface Shape;                      ///< mm
-  std::vector<BoundaryLabels> Labels; ///< Of its triangles; empty: there is one label.
+  std::vector<BoundaryLabels> Labels; ///< Labels of its triangles; empty: there is one label.
 };
 
 /// Whether a part of the triangle may lie between the planes.
@@ -31,7 +31,7 @@ SurfacePiece CutBetween(const SurfacePiece& surface, const Zone& zone);
 SurfacePiece Joined(SurfacePiece first, const SurfacePiece& second);
 
 /// The largest of a coordinate of its points, mm.
-double LargestCoordinateOf(const Surface& surface);
+double MaxCoordinateOf(const Surface& surface);
 
 /// Removes points without triangles.
 /// @return Of each point that is left, its old index.

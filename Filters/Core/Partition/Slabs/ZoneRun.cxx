@@ -13,9 +13,9 @@ namespace bonedecimate
 namespace
 {
 constexpr double ErrorsOfMargin = 2.001;
-/// Of the largest error, around which the proof covers the original.
+/// Distance around the zone within which the proof covers the original, in largest errors.
 constexpr double ErrorsOfProof = 1.001;
-/// Of the progress.
+/// Progress at which the proof begins.
 constexpr double ProvedFrom = 0.85;
 
 Zone Widened(Zone zone, double width)

@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ZoneRun.h
- * @brief Runs a slab together with the zone below it, where it continues earlier runs, within the error of their common original.
+ * @brief Runs a slab together with the zone below it, where it continues earlier runs, within the
+ * error of their common original.
  *
  *     strip        of the result so far, and the slab: all triangles within ZoneReach() of the zone
  *     original     all triangles within ZoneMargin() of the zone
- *     run          edits start from the strip; the bound refers to the original               (SurfacePart::Reference)
- *     stay         points outside of the zone, points of finished components, and all triangles at them
- *     proof        original near the zone -> new strip; changed triangles -> original          (ContinuedProof.h)
+ *     run          edits start from the strip; the bound refers to the
+ *                  original  (SurfacePart::Reference)
+ *     stay         points outside of the zone, points of finished
+ *                  components, and all triangles at them
+ *     proof        original near the zone -> new strip; changed triangles
+ *                  -> original  (ContinuedProof.h)
  *
- * What changes lies in the zone. So the distance of anything that is more than the largest error away from it is as proved before.
+ * What changes lies in the zone. So the distance of anything that is more than the largest error
+ * away from it is as proved before.
  */
 #ifndef BoneDecimate_Core_Partition_Slabs_ZoneRun_h
 #define BoneDecimate_Core_Partition_Slabs_ZoneRun_h
@@ -23,7 +28,8 @@
 
 namespace bonedecimate
 {
-/// mm, around the zone: the intersection guard looks four largest errors away, and both sides of a gap may move by one.
+/// mm, around the zone: the intersection guard looks four largest errors away, and both
+/// sides of a gap may move by one.
 double ZoneReach(double largestError);
 double ZoneMargin(double largestError); ///< mm
 
@@ -32,10 +38,10 @@ struct ZoneInput
   SurfacePiece Original;
   SurfacePiece Strip;
   Zone EditZone;
-  /// Edges of one triangle that do not reach it are where strip and original were cut. It may end ZoneMargin() outside of the
-  /// edit zone.
+  /// Edges of one triangle that do not reach it are where strip and original were cut. It may end
+  /// ZoneMargin() outside of the edit zone.
   Zone BoundaryZone;
-  std::vector<char> IsFinished; ///< Of each point of the strip, whether it stays wherever it is.
+  std::vector<char> IsFinished; ///< Whether a point of the strip stays wherever it is.
 };
 
 struct ZoneResult
@@ -47,7 +53,8 @@ struct ZoneResult
   ProofStatus Proof{};
 };
 
-/// @param options With the largest error and without targets.  @param source Grid and labels; null: not known.
+/// @param options With the largest error and without targets.
+/// @param source Grid and labels; null: not known.
 ZoneResult DecimateZone(const ZoneInput& input, const Options& options,
   const LabelMapSource* source, bool inputIsSingle, const Monitor& monitor);
 }

@@ -32,7 +32,7 @@ CertificateStatus Check(
     return HasUsableTriangles(reference) ? CertificateStatus::BadResult
                                          : CertificateStatus::BadReference;
   }
-  const auto isGood = [](double tolerance) { return !(tolerance > LargestCoordinate); };
+  const auto isGood = [](double tolerance) { return !(tolerance > MaxCoordinate); };
   const std::vector<double>& map = options.ToleranceMap;
   const bool goodMap = (map.empty() || map.size() == reference.Points.size()) &&
     std::all_of(map.begin(), map.end(), isGood);

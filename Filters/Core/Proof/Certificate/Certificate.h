@@ -42,7 +42,7 @@ enum class ProofStatus : int
   NotRequested = 0, ///< There is no tolerance.
   Proved,           ///< The distance of every point is within its tolerance.
   Violated,         ///< The distance of at least one point exceeds its tolerance.
-  Undecided         ///< Neither was shown within MostCuts or the limits of rounding.
+  Undecided         ///< Neither was shown within MaxCuts or the limits of rounding.
 };
 
 /// The largest distance from one set to another, mm, or the largest excess of distance over tolerance.
@@ -109,12 +109,12 @@ struct CertificateOptions
   std::vector<double> ToleranceMap;
   /// Refine the bounds to the gap even where the tolerance is already proved. Without a tolerance they always are.
   bool TightBounds = true;
-  /// The bounds differ by at most this fraction of the upper one, by LeastGap, or by 1e-9 of the largest coordinate,
-  /// unless MostCuts ends the search first.
+  /// The bounds differ by at most this fraction of the upper one, by MinGap, or by 1e-9 of the largest coordinate,
+  /// unless MaxCuts ends the search first.
   double RelativeGap = 1e-6;
-  double LeastGap = 0.0; ///< mm; the search ends when the bounds are nearer to each other.
+  double MinGap = 0.0; ///< mm; the search ends when the bounds are nearer to each other.
   /// Largest number of cuts in each direction; 0: 2^26 and sixteen for each triangle.
-  std::int64_t MostCuts = 0;
+  std::int64_t MaxCuts = 0;
   bool WithSurfaces = true;
   bool OneSided = false; ///< From the reference to the result alone; the other direction is empty.
   bool WithBoundaries = true;

@@ -15,10 +15,10 @@ constexpr int FirstHalving = 12;
 constexpr double LengthRatioAfterFewCuts = 0.15;
 constexpr int HalvingPeriod = 3;
 /// A vertex with a larger barycentric weight coincides with the corner.
-constexpr double MostWeight = 1.0 - 1e-6;
+constexpr double MaxWeight = 1.0 - 1e-6;
 /// A cut nearer to an end than this fraction of the edge makes slivers: the edge is halved instead.
-constexpr double LeastFraction = 1.0 / 32.0;
-constexpr int MostSecants = 6;
+constexpr double MinFraction = 1.0 / 32.0;
+constexpr int MaxSecants = 6;
 /// Values of candidates are equal if they differ by less than this fraction of their distance to the closing bound.
 constexpr double EqualEnough = 0.05;
 
@@ -122,7 +122,7 @@ std::optional<CutWeights> CutChoice::CommonVertex(const Piece& piece) const
       const CutWeights weights =
         NearestOnTriangle(ofOne[k], a.Position, b.Position, c.Position).Weights;
       const auto [least, most] = std::minmax_element(weights.begin(), weights.end());
-      if (*least > 0.0 && *most < MostWeight)
+      if (*least > 0.0 && *most < MaxWeight)
       {
         return weights;
       }
@@ -166,7 +166,7 @@ double CutChoice::EqualFraction(const Piece& piece, const Edge& edge) const
   double atHigh = edge.ToToOther - to.Value;
   double fraction = 0.5;
   int side = 0; // sign at the previous fraction
-  for (int i = 0; i < MostSecants && atLow < 0.0 && atHigh > 0.0; ++i)
+  for (int i = 0; i < MaxSecants && atLow < 0.0 && atHigh > 0.0; ++i)
   {
     fraction = low - atLow * (high - low) / (atHigh - atLow);
     const double here = difference(fraction);
@@ -180,6 +180,6 @@ double CutChoice::EqualFraction(const Piece& piece, const Edge& edge) const
     (sideHere < 0 ? atHigh : atLow) *= sideHere == side ? 0.5 : 1.0;
     side = sideHere;
   }
-  return fraction > LeastFraction && fraction < 1.0 - LeastFraction ? fraction : 0.5;
+  return fraction > MinFraction && fraction < 1.0 - MinFraction ? fraction : 0.5;
 }
 }

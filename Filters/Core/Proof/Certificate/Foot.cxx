@@ -11,7 +11,7 @@ namespace
 /// The foot is refined until the bounds agree to this fraction of the distance, or of the distance to the farthest corner.
 constexpr double RelativeTolerance = 1e-8;
 constexpr double ToleranceOfExtent = 1e-14;
-constexpr int MostRefinements = 4;
+constexpr int MaxRefinements = 4;
 
 /// Weights of the second and the third corner.
 struct Weights
@@ -113,7 +113,7 @@ Foot FindFoot(const Vector3& p, const Corners& corners)
   if (!IsNearest(p, corners, foot))
   {
     TryEdges(p, corners, weights, foot);
-    for (int i = 0; i < MostRefinements && !IsNearest(p, corners, foot); ++i)
+    for (int i = 0; i < MaxRefinements && !IsNearest(p, corners, foot); ++i)
     {
       Try(p, corners, Step(p, corners, weights, foot), weights, foot);
     }

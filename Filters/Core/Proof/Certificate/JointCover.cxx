@@ -9,14 +9,24 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Squared sine of an angle of a candidate; with a sharper one only its sides are looked at.
-constexpr double LeastSquaredSine = 1e-18;
 /// Candidates are measured in groups of so many, which compilers turn into vector instructions.
 constexpr std::size_t Group = 4;
 
-double InverseOf(double squared)
+/// mm^2; the squares of shorter lengths underflow, and the slack is longer (Foot.h).
+constexpr double MinSquared = 1e-300;
+
+/// A vector of length 1; any such vector across the axis if there is only rounding error.
+Vector3 Across(const Vector3& axis, const Vector3& from)
 {
-  return squared > 0.0 ? 1.0 / squared : 0.0;
+  const Vector3 first = from - Dot(axis, from) * axis;
+  const Vector3 second = first - Dot(axis, first) * axis;
+  if (second.squaredNorm() > std::max(MinSquared, 0.5 * first.squaredNorm()))
+  {
+    return second.normalized();
+  }
+  Eigen::Index least = 0;
+  axis.cwiseAbs().minCoeff(&least);
+  return axis.cross(Vector3::Unit(least)).normalized();
 }
 
 /// The larger one of x and 0, without a comparison: gcc 12 does not vectorize those.
@@ -24,31 +34,43 @@ double Positive(double x)
 {
   return 0.5 * (x + std::abs(x));
 }
-
-/// The number from 0 to 1 that is nearest to x.
-double InUnit(double x)
-{
-  return 1.0 - Positive(1.0 - Positive(x));
-}
 }
 
 //------------------------------------------------------------------------------
 JointCover::JointCover()
 {
-  this->Known.reserve(MostCorners);
+  this->Known.reserve(MaxCorners);
 }
 
 //------------------------------------------------------------------------------
-void JointCover::Begin(const Corners& triangle)
+void JointCover::Begin(double slack)
 {
-  this->Count = this->Measured = 0;
+  this->Margin = slack;
+  this->Count = this->Measured = this->Given = 0;
   this->SquaredUpper = 0.0;
-  this->Known.resize(3);
-  for (std::size_t i = 0; i < 3; ++i)
+  this->Known.clear();
+  this->Open.clear();
+}
+
+//------------------------------------------------------------------------------
+void JointCover::Cover(const Vector3* corners, std::size_t count)
+{
+  const std::size_t first = this->Known.size();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    this->Known[i].Position = triangle[i];
+    this->Known.emplace_back().Position = corners[i];
+    if (i > 1)
+    {
+      this->Open.push_back({ first, first + i - 1, first + i });
+    }
   }
-  this->Open.assign(1, { 0, 1, 2 });
+  this->Given = this->Known.size();
+}
+
+//------------------------------------------------------------------------------
+void JointCover::Raise(double upper)
+{
+  this->SquaredUpper = std::max(this->SquaredUpper, upper * upper);
 }
 
 //------------------------------------------------------------------------------
@@ -61,32 +83,51 @@ bool JointCover::Has(Index id) const
 //------------------------------------------------------------------------------
 bool JointCover::Add(const Corners& candidate, Index id)
 {
-  if (this->Count == MostCandidates || this->Has(id))
+  if (this->Count == MaxCandidates || this->Has(id))
   {
-    return this->Count < MostCandidates;
+    return this->Count < MaxCandidates;
   }
   const Vector3 ab = candidate[1] - candidate[0];
   const Vector3 ac = candidate[2] - candidate[0];
-  const double bb = ab.squaredNorm();
-  const double bc = Dot(ab, ac);
-  const double cc = ac.squaredNorm();
-  const double determinant = bb * cc - bc * bc;
+  const Vector3& longer = ab.squaredNorm() > MinSquared ? ab : ac;
+  const Vector3 u =
+    longer.squaredNorm() > MinSquared ? Vector3(longer.normalized()) : Vector3(Vector3::UnitX());
+  const Vector3 v = Across(u, ac);
+  const Vector3 w = u.cross(v);
+  const double bAlong = Dot(u, ab);
+  const double cAlong = Dot(u, ac);
+  const double cAcross = Dot(v, ac);
+  struct Side
+  {
+    double FromU, FromV, ToU, ToV;
+  };
+  const std::array<Side, 3> sides = { Side{ 0.0, 0.0, bAlong, 0.0 },
+    { bAlong, 0.0, cAlong, cAcross }, { cAlong, cAcross, 0.0, 0.0 } };
   this->Ids[this->Count++] = id;
   for (std::size_t i = this->Count - 1; i < this->Groups(); ++i) // the rest of the group repeats it
   {
     for (Eigen::Index axis = 0; axis < 3; ++axis)
     {
       this->A[axis][i] = candidate[0][axis];
-      this->AB[axis][i] = ab[axis];
-      this->AC[axis][i] = ac[axis];
+      this->U[axis][i] = u[axis];
+      this->V[axis][i] = v[axis];
+      this->W[axis][i] = w[axis];
     }
-    this->Bb[i] = bb;
-    this->Bc[i] = bc;
-    this->Cc[i] = cc;
-    this->PerBb[i] = InverseOf(bb);
-    this->PerCc[i] = InverseOf(cc);
-    this->PerOpposite[i] = InverseOf(bb + cc - 2.0 * bc);
-    this->PerDeterminant[i] = determinant > LeastSquaredSine * bb * cc ? 1.0 / determinant : 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Side& side = sides[k];
+      const double du = side.ToU - side.FromU;
+      const double dv = side.ToV - side.FromV;
+      const double squared = du * du + dv * dv;
+      const double length = squared > MinSquared ? std::sqrt(squared) : 0.0;
+      const double alongU = length > 0.0 ? du / length : (k == 1 ? -1.0 : 1.0); // nothing is inside
+      const double alongV = length > 0.0 ? dv / length : 0.0;
+      this->AlongU[k][i] = alongU;
+      this->AlongV[k][i] = alongV;
+      this->Middle[k][i] = alongU * side.FromU + alongV * side.FromV + 0.5 * length;
+      this->Half[k][i] = 0.5 * length;
+      this->At[k][i] = alongU * side.FromV - alongV * side.FromU;
+    }
   }
   return true;
 }
@@ -99,43 +140,40 @@ std::size_t JointCover::Groups() const
 }
 
 //------------------------------------------------------------------------------
-/// Squared distances to the candidates from the first one on: the least of those to the feet on the sides and on the plane. All
-/// are moved into the triangle.
+/// Squared distances to the candidates from the first one on. In the plane of a candidate, to the nearest side, or none if the
+/// foot is on the inner side of all three.
 void JointCover::Measure(Corner& corner, std::size_t first) const
 {
   const double x = corner.Position[0];
   const double y = corner.Position[1];
   const double z = corner.Position[2];
-  std::array<PerCandidate<double>, 4> squared; // to the feet
+  PerCandidate<double> height, outside;
+  std::array<PerCandidate<double>, 3> squared; // to the sides, in the plane
   const std::size_t end = this->Groups();
   for (std::size_t i = first; i < end; ++i)
   {
     const double px = x - this->A[0][i];
     const double py = y - this->A[1][i];
     const double pz = z - this->A[2][i];
-    const auto squaredTo = [&](double b, double c)
+    const double u = this->U[0][i] * px + this->U[1][i] * py + this->U[2][i] * pz;
+    const double v = this->V[0][i] * px + this->V[1][i] * py + this->V[2][i] * pz;
+    const double w = this->W[0][i] * px + this->W[1][i] * py + this->W[2][i] * pz;
+    height[i] = w * w;
+    double out = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      const double dx = px - b * this->AB[0][i] - c * this->AC[0][i];
-      const double dy = py - b * this->AB[1][i] - c * this->AC[1][i];
-      const double dz = pz - b * this->AB[2][i] - c * this->AC[2][i];
-      return dx * dx + dy * dy + dz * dz;
-    };
-    const double bb = this->Bb[i];
-    const double bc = this->Bc[i];
-    const double cc = this->Cc[i];
-    const double pb = this->AB[0][i] * px + this->AB[1][i] * py + this->AB[2][i] * pz;
-    const double pc = this->AC[0][i] * px + this->AC[1][i] * py + this->AC[2][i] * pz;
-    const double opposite = InUnit((pc - pb + bb - bc) * this->PerOpposite[i]);
-    squared[0][i] = squaredTo(InUnit(pb * this->PerBb[i]), 0.0);
-    squared[1][i] = squaredTo(0.0, InUnit(pc * this->PerCc[i]));
-    squared[2][i] = squaredTo(1.0 - opposite, opposite);
-    const double b = InUnit((cc * pb - bc * pc) * this->PerDeterminant[i]);
-    const double c = Positive((bb * pc - bc * pb) * this->PerDeterminant[i]);
-    squared[3][i] = squaredTo(b, 1.0 - b - Positive(1.0 - b - c));
+      const double along = this->AlongU[k][i] * u + this->AlongV[k][i] * v;
+      const double beyond = Positive(std::abs(along - this->Middle[k][i]) - this->Half[k][i]);
+      const double inward = this->AlongU[k][i] * v - this->AlongV[k][i] * u - this->At[k][i];
+      squared[k][i] = beyond * beyond + inward * inward;
+      out += Positive(this->Margin - inward);
+    }
+    outside[i] = out;
   }
   for (std::size_t i = first; i < end; ++i)
   {
-    corner.Squared[i] = std::min({ squared[0][i], squared[1][i], squared[2][i], squared[3][i] });
+    const double toSide = std::min({ squared[0][i], squared[1][i], squared[2][i] });
+    corner.Squared[i] = height[i] + (outside[i] > 0.0 ? toSide : 0.0);
   }
 }
 
@@ -159,7 +197,7 @@ JointCover::Outcome JointCover::Run(double limit, std::size_t mostCorners)
     this->FindNear(corner);
   }
   this->Measured = this->Count / Group * Group;
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < this->Given; ++i)
   {
     if (this->Known[i].Near == 0)
     {

@@ -13,7 +13,7 @@ namespace bonedecimate::certificate
 namespace
 {
 constexpr std::size_t FewestSamples = std::size_t{ 1 } << 16;
-constexpr std::size_t MostSamples = std::size_t{ 1 } << 21;
+constexpr std::size_t MaxSamples = std::size_t{ 1 } << 21;
 // 1/g and 1/g^2 of the plastic number: the R2 sequence (M. Roberts, 2018).
 constexpr double FirstStep = 0.7548776662466927;
 constexpr double SecondStep = 0.5698402909980532;
@@ -58,12 +58,12 @@ std::size_t NextCount(std::size_t count, const MeanDistance& mean, double precis
     return mean.MeanError <= factor * precision * mean.Mean &&
       mean.RootMeanSquareError <= factor * precision * mean.RootMeanSquare;
   };
-  if (isReached(1.0) || count >= MostSamples)
+  if (isReached(1.0) || count >= MaxSamples)
   {
     return 0;
   }
   count *= 2;
-  for (double factor = 1.2; count < MostSamples && !isReached(factor); factor *= 1.4)
+  for (double factor = 1.2; count < MaxSamples && !isReached(factor); factor *= 1.4)
   {
     count *= 2; // errors are proportional to 1 / sqrt(count)
   }

@@ -4,15 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bonedecimate::certificate
 {
 namespace
 {
 /// Least height of T over the longer of its sides at the first corner, as a ratio of that side.
-constexpr double LeastHeight = 1e-2;
-/// Largest number of triangles over T; with more, cutting T is faster.
-constexpr std::size_t MostTriangles = 4096;
+constexpr double MinHeight = 3e-2;
+/// Least cosine of the angle between the direction of the projection and the normal of T; with a
+/// smaller one it is the normal.
+constexpr double MinCosine = 0.5;
+/// More triangles over T take longer than cutting T.
+constexpr std::size_t MaxTriangles = 4096;
+/// With more corners of parts that are far, all of T is covered in another way.
+constexpr std::size_t MaxFarCorners = 60;
 /// Relative error of a predicate and of the clipped coordinates, about 90 u.
 constexpr double PredicateError = 1e-14;
 constexpr double ClipMargin = 1e-14;
@@ -65,30 +71,34 @@ OverlayCover::OverlayCover(const Simplices& surface)
 }
 
 //------------------------------------------------------------------------------
-OverlayCover::Bound OverlayCover::Find(const Corners& triangle, Index seed)
+bool OverlayCover::Find(const Corners& triangle, const Triangle& seeds, double limit)
 {
-  Bound bound;
   this->Visited.clear();
-  if (!this->Begin(triangle))
+  this->Far.clear();
+  this->FarCorners = 0;
+  this->UpperOfNear = 0.0;
+  this->NextStamp();
+  for (const Index seed : seeds)
   {
-    return bound;
+    this->Add(seed);
   }
-  bound.Upper = 0.0;
-  this->Visited.assign(1, seed);
-  this->TriangleStamps[seed] = this->Stamp;
+  if (!this->Begin(triangle, seeds))
+  {
+    return false;
+  }
   for (std::size_t at = 0; at < this->Visited.size(); ++at)
   {
-    if (at == MostTriangles || !this->Visit(this->Visited[at], bound))
+    if (at == MaxTriangles || this->FarCorners > MaxFarCorners ||
+      !this->Visit(this->Visited[at], limit))
     {
-      return {};
+      return false;
     }
   }
-  return this->IsOdd ? bound : Bound();
+  return this->IsOdd;
 }
 
 //------------------------------------------------------------------------------
-/// False if the triangle is a needle.
-bool OverlayCover::Begin(const Corners& triangle)
+void OverlayCover::NextStamp()
 {
   if (++this->Stamp == 0)
   {
@@ -96,6 +106,31 @@ bool OverlayCover::Begin(const Corners& triangle)
     std::fill(this->PointStamps.begin(), this->PointStamps.end(), 0);
     this->Stamp = 1;
   }
+}
+
+//------------------------------------------------------------------------------
+void OverlayCover::Add(Index triangle)
+{
+  if (this->TriangleStamps[triangle] != this->Stamp)
+  {
+    this->TriangleStamps[triangle] = this->Stamp;
+    this->Visited.push_back(triangle);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A vector of length 1.
+Vector3 OverlayCover::Normal(Index triangle) const
+{
+  const auto& [a, b, c] = this->Surface.Corners[triangle];
+  const std::vector<Vector3>& points = this->Surface.Points;
+  return AreaVector(points[a], points[b], points[c]).normalized();
+}
+
+//------------------------------------------------------------------------------
+/// False if the triangle is a needle.
+bool OverlayCover::Begin(const Corners& triangle, const Triangle& seeds)
+{
   this->Images.clear();
   this->IsOdd = false;
   this->A = triangle[0];
@@ -106,13 +141,27 @@ bool OverlayCover::Begin(const Corners& triangle)
   const double cc = this->AC.squaredNorm();
   const double determinant = bb * cc - bc * bc;
   const double longer = std::max(bb, cc); // squared
-  if (!(determinant > LeastHeight * LeastHeight * longer * longer))
+  if (!(determinant > MinHeight * MinHeight * longer * longer))
   {
     return false;
   }
   this->TowardB = (cc * this->AB - bc * this->AC) / determinant;
   this->TowardC = (bb * this->AC - bc * this->AB) / determinant;
+  this->Incline(this->Normal(seeds[0]) + this->Normal(seeds[1]) + this->Normal(seeds[2]));
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Makes the projection parallel to a direction, unless that is too far from the normal of T.
+void OverlayCover::Incline(const Vector3& direction)
+{
+  const Vector3 normal = this->AB.cross(this->AC).normalized();
+  const double cosine = Dot(normal, direction);
+  if (cosine * cosine > MinCosine * MinCosine * direction.squaredNorm())
+  {
+    this->TowardB -= Dot(this->TowardB, direction) / cosine * normal;
+    this->TowardC -= Dot(this->TowardC, direction) / cosine * normal;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +186,7 @@ Index OverlayCover::ImageOf(Index point)
 
 //------------------------------------------------------------------------------
 /// False if the surface may end over T.
-bool OverlayCover::Visit(Index triangle, Bound& bound)
+bool OverlayCover::Visit(Index triangle, double limit)
 {
   const Triangle& corners = this->Surface.Corners[triangle];
   const Triangle images = { this->ImageOf(corners[0]), this->ImageOf(corners[1]),
@@ -148,7 +197,7 @@ bool OverlayCover::Visit(Index triangle, Bound& bound)
   {
     return true; // its image does not meet T
   }
-  this->Measure(shape, triangle, bound);
+  this->Measure(shape, triangle, limit);
   return this->CountLayer(shape) && this->CrossEdges(shape, triangle);
 }
 
@@ -196,20 +245,16 @@ bool OverlayCover::CrossEdges(const Shape& shape, Index triangle)
     {
       return false;
     }
-    if (this->TriangleStamps[next] != this->Stamp)
-    {
-      this->TriangleStamps[next] = this->Stamp;
-      this->Visited.push_back(next);
-    }
+    this->Add(next);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
 /// The part of a polygon on the inner side of a side of T, widened by the margin.
-OverlayCover::Polygon OverlayCover::Clip(const Polygon& polygon, int side, double margin)
+void OverlayCover::Clip(const Polygon& polygon, int side, double margin, Polygon& kept)
 {
-  Polygon kept;
+  kept.Count = 0;
   for (std::size_t i = 0; i < polygon.Count; ++i)
   {
     const Image& p = polygon.Corners[i];
@@ -227,44 +272,54 @@ OverlayCover::Polygon OverlayCover::Clip(const Polygon& polygon, int side, doubl
         p.C + t * (q.C - p.C) };
     }
   }
-  return kept;
 }
 
 //------------------------------------------------------------------------------
-/// Images are clipped at a widened T, so their corners may lie outside of it.
-Vector3 OverlayCover::InTriangle(double b, double c) const
+/// The bound of the overlay of T and an image is the largest distance at a corner.
+void OverlayCover::Measure(const Shape& shape, Index triangle, double limit)
 {
-  b = std::max(0.0, b);
-  c = std::max(0.0, c);
-  const double sum = std::max(1.0, b + c);
-  return this->A + b / sum * this->AB + c / sum * this->AC;
-}
-
-//------------------------------------------------------------------------------
-/// Raises the bound to the largest distance at a corner of the overlay.
-void OverlayCover::Measure(const Shape& shape, Index triangle, Bound& bound) const
-{
-  Polygon polygon;
+  Polygon first, second;
+  Polygon* kept = &first;
+  Polygon* next = &second;
   double largest = 1.0;
+  kept->Count = 0;
   for (const KnownImage* corner : shape)
   {
-    polygon.Corners[polygon.Count++] = corner->At;
+    kept->Corners[kept->Count++] = corner->At;
     largest = std::max({ largest, std::abs(corner->At.B), std::abs(corner->At.C) });
   }
   const int beyond = shape[0]->Beyond | shape[1]->Beyond | shape[2]->Beyond;
   for (int side = 0; side < 3; ++side)
   {
-    polygon = (beyond & (1 << side)) != 0 ? Clip(polygon, side, ClipMargin * largest) : polygon;
-  }
-  for (std::size_t i = 0; i < polygon.Count; ++i)
-  {
-    const Image& at = polygon.Corners[i];
-    const Vector3 position = this->A + at.B * this->AB + at.C * this->AC;
-    const double distance = (position - at.Point).norm();
-    if (distance > bound.Upper || bound.Nearest == None)
+    if ((beyond & (1 << side)) != 0)
     {
-      bound = { std::max(distance, bound.Upper), this->InTriangle(at.B, at.C), triangle };
+      Clip(*kept, side, ClipMargin * largest, *next);
+      std::swap(kept, next);
     }
   }
+  double squared = 0.0; // mm^2
+  std::size_t farthest = 0;
+  for (std::size_t i = 0; i < kept->Count; ++i)
+  {
+    const Image& at = kept->Corners[i];
+    const double here = (this->InPlane(at) - at.Point).squaredNorm();
+    farthest = here > squared ? i : farthest;
+    squared = std::max(squared, here);
+  }
+  const double upper = std::sqrt(squared);
+  if (upper <= limit)
+  {
+    this->UpperOfNear = std::max(this->UpperOfNear, upper);
+    return;
+  }
+  Part& part = this->Far.emplace_back();
+  for (; part.Count < kept->Count; ++part.Count)
+  {
+    part.Corners[part.Count] = this->InPlane(kept->Corners[part.Count]);
+  }
+  part.Farthest = farthest;
+  part.Upper = upper;
+  part.Nearest = triangle;
+  this->FarCorners += part.Count;
 }
 }

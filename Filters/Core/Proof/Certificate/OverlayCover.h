@@ -4,22 +4,23 @@
  * @file OverlayCover.h
  * @brief An upper bound of the distance from a triangle T to a surface of which a connected part covers T. It needs no cuts.
  *
- *     map the plane of T to coordinates (b, c) and each point of the surface to the coordinates of its foot on that plane
- *     from a triangle of the surface, cross every edge whose image meets T
+ *     map the plane of T to coordinates (b, c) and each point of the surface to the coordinates where a line through it, in the
+ *     direction of the mean normal of the surface near the corners of T, meets that plane
+ *     from triangles of the surface near the corners, cross every edge whose image meets T
  *         an edge that does not have exactly two triangles:                          no bound
  *     an even number of images over one position in T:                               no bound
- *     else the images cover T; the bound is the largest distance between a corner of the overlay of T and an image, and
- *     the point of the surface that has this image
+ *     else the images cover T; the bound of each part, the overlay of T and an image, is the largest distance between a corner
+ *     of the part and the point of the surface that has this image
  *
  * Proof. Every edge of the visited triangles whose image meets T belongs to two of them, so no position in T is on the
  * boundary of their chain (coefficients modulo 2), and the parity of the number of images is the same all over T. It is odd
  * at one position, so every position t of T is the image of a point x of the surface. On the overlay of T and one image,
- * t - x is affine, so |t - x| is largest at a corner.
+ * t - x is affine, so |t - x| is largest at a corner. The parts cover T, so a part may be bounded in any other way.
  *
- * Rounding. The map is defined by the computed coordinates of the points and is linear on each triangle; the proof does not need
- * x - t to be normal to T. Predicates are exact comparisons of these coordinates or have an error bound, and in doubt an edge meets T. An
+ * Rounding. The map is defined by the computed coordinates of the points and is linear on each triangle; the proof holds for
+ * any x - t. Predicates are exact comparisons of these coordinates or have an error bound, and in doubt an edge meets T. An
  * image is clipped at T widened by ClipMargin, so that the polygon contains the exact one; its corners carry coordinates and
- * positions. T must not be thinner than LeastHeight, so the rounding error of a corner is below 1000 u of the extent (Foot.h).
+ * positions. T must not be thinner than MinHeight, so the rounding error of a corner is below 1000 u of the extent (Foot.h).
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_OverlayCover_h
 #define BoneDecimate_Core_Proof_Certificate_OverlayCover_h
@@ -29,7 +30,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace bonedecimate::certificate
@@ -41,25 +41,32 @@ public:
   /// @param surface Must outlive this.
   explicit OverlayCover(const Simplices& surface);
 
-  struct Bound
+  /// The overlay of T and an image, a polygon.
+  struct Part
   {
-    double Upper = std::numeric_limits<double>::infinity(); ///< mm; infinite: T is not covered
-    Vector3 Position = Vector3::Zero();                     ///< mm, where in T the bound is taken
-    Index Nearest = None;                                   ///< the triangle of the surface there
+    std::array<Vector3, 9> Corners; ///< mm, in T but for rounding
+    std::size_t Count = 0;
+    std::size_t Farthest = 0; ///< the corner where the bound is taken
+    double Upper = 0.0;       ///< mm
+    Index Nearest = None;     ///< the triangle of the surface
   };
 
-  /// @param seed A triangle of the surface whose image meets T. With another one there is no bound.
-  Bound Find(const Corners& triangle, Index seed);
-  /// The triangles that the last search met, the seed first; none if its triangle was a needle.
+  /// @param seeds Triangles of the surface. If no image of them meets T, or too many parts are far, T is not covered.
+  /// @param limit mm; parts with larger bounds are far.
+  /// @return Whether T is covered.
+  bool Find(const Corners& triangle, const Triangle& seeds, double limit);
+  /// mm, the largest bound of a part that is not far.
+  double Upper() const { return this->UpperOfNear; }
+  const std::vector<Part>& FarParts() const { return this->Far; }
+  /// The triangles that the last search met, the seeds first.
   const std::vector<Index>& Met() const { return this->Visited; }
 
 private:
   /// A point of the surface and its image. The signed area coordinates of the image in T are 1 - B - C, B and C.
   struct Image
   {
-    Vector3 Point = Vector3::Zero(); // mm
-    double B = 0.0;
-    double C = 0.0;
+    Vector3 Point; // mm
+    double B, C;
   };
   struct KnownImage
   {
@@ -71,17 +78,21 @@ private:
   struct Polygon
   {
     std::array<Image, 9> Corners;
-    std::size_t Count = 0;
+    std::size_t Count;
   };
 
-  bool Begin(const Corners& triangle);
+  bool Begin(const Corners& triangle, const Triangle& seeds);
+  void NextStamp();
+  void Add(Index triangle);
+  Vector3 Normal(Index triangle) const;
+  void Incline(const Vector3& direction);
   Index ImageOf(Index point);
-  bool Visit(Index triangle, Bound& bound);
+  bool Visit(Index triangle, double limit);
   bool CountLayer(const Shape& shape);
-  void Measure(const Shape& shape, Index triangle, Bound& bound) const;
+  void Measure(const Shape& shape, Index triangle, double limit);
+  Vector3 InPlane(const Image& at) const { return this->A + at.B * this->AB + at.C * this->AC; }
   bool CrossEdges(const Shape& shape, Index triangle);
-  static Polygon Clip(const Polygon& polygon, int side, double margin);
-  Vector3 InTriangle(double b, double c) const;
+  static void Clip(const Polygon& polygon, int side, double margin, Polygon& kept);
 
   const Simplices& Surface;
   const EdgeSides& Sides;
@@ -93,6 +104,9 @@ private:
   std::vector<KnownImage> Images;
   std::vector<Index> Visited; // triangles of the surface, in order
   bool IsOdd = false;         // the number of layers over the test position
+  double UpperOfNear = 0.0;   // mm
+  std::vector<Part> Far;
+  std::size_t FarCorners = 0; // of all parts
 };
 }
 

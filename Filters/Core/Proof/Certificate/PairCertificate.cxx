@@ -16,7 +16,7 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-constexpr std::int64_t LeastMostCuts = std::int64_t{ 1 } << 26;
+constexpr std::int64_t MinMostCuts = std::int64_t{ 1 } << 26;
 constexpr std::int64_t CutsASimplex = 16;
 /// The least gap of the search, 1e-9 of the extent, and the least that can be reached: both bounds are widened by the slack.
 constexpr double SlacksOfGap = 2048.0;
@@ -53,13 +53,13 @@ public:
     , Task(task)
     , TriangleGap(task.OfSurfaces ? triangleGap : 0.0)
   {
-    const std::int64_t requested = task.Options.MostCuts;
-    this->Goal.MostCuts = requested > 0
+    const std::int64_t requested = task.Options.MaxCuts;
+    this->Goal.MaxCuts = requested > 0
       ? requested
-      : LeastMostCuts + CutsASimplex * static_cast<std::int64_t>(source.Size());
+      : MinMostCuts + CutsASimplex * static_cast<std::int64_t>(source.Size());
     this->Goal.RelativeGap = task.Options.RelativeGap;
     this->Goal.Slack = task.Slack;
-    this->Goal.LeastGap = std::max(SlacksOfGap * task.Slack, task.Options.LeastGap);
+    this->Goal.MinGap = std::max(SlacksOfGap * task.Slack, task.Options.MinGap);
     this->Goal.NumberOfThreads = task.Options.NumberOfThreads;
   }
 
@@ -143,7 +143,7 @@ private:
     {
       this->Goal.CloseBelow = tolerance;
       this->Goal.RelativeGap = 0.0;
-      this->Goal.LeastGap = FewestSlacks * this->Goal.Slack;
+      this->Goal.MinGap = FewestSlacks * this->Goal.Slack;
       Tighten(bounds.Distance, this->Find(values, {}, progress.Next(0.0)));
       bounds.Proof = Evaluate(bounds.Distance, tolerance);
     }
@@ -154,7 +154,7 @@ private:
     SearchGoal goal = this->Goal;
     goal.CloseBelow = -Infinity;
     goal.RelativeGap = 0.0;
-    goal.LeastGap = std::max(this->TriangleGap, FewestSlacks * goal.Slack);
+    goal.MinGap = std::max(this->TriangleGap, FewestSlacks * goal.Slack);
     KnownBounds known;
     known.Upper = FindTriangleBounds(this->Source, this->To, values, goal, known.Largest, monitor);
     return known;
@@ -190,7 +190,7 @@ private:
 };
 
 /// mm, the least limit of the corners of each simplex.
-std::vector<double> LeastLimits(const Simplices& simplices, const std::vector<double>& limit)
+std::vector<double> MinLimits(const Simplices& simplices, const std::vector<double>& limit)
 {
   std::vector<double> least;
   least.reserve(simplices.Size());
@@ -206,7 +206,7 @@ std::vector<double> LeastLimits(const Simplices& simplices, const std::vector<do
   return least;
 }
 
-double LargestFinite(const std::vector<double>& limits)
+double MaxFinite(const std::vector<double>& limits)
 {
   double largest = 0.0;
   for (const double limit : limits)
@@ -264,7 +264,7 @@ DirectedCertificate Forward(const Comparison& both)
     return bounds;
   }
   Direction(limited, target, both.Task, 0.0)
-    .FindExcess(bounds, LargestFinite(both.Limit), both.Progress, both.Weight);
+    .FindExcess(bounds, MaxFinite(both.Limit), both.Progress, both.Weight);
   NameTriangles(bounds.Excess, limited, both.Result);
   return bounds;
 }
@@ -280,7 +280,7 @@ DirectedCertificate Backward(const Comparison& both)
   {
     return bounds;
   }
-  std::vector<double> least = LeastLimits(both.Reference, both.Limit);
+  std::vector<double> least = MinLimits(both.Reference, both.Limit);
   const double largest = *std::max_element(least.begin(), least.end());
   if (!std::isfinite(largest))
   {

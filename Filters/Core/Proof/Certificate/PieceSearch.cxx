@@ -12,10 +12,8 @@ namespace
 /// Pieces of every other depth up to the first are bounded by a cover: deeper ones are so small that few triangles are over them.
 constexpr int DeepestCover = 8;
 constexpr int CoverPeriod = 2;
-/// Corners of a joint cover of a piece that is smaller than what is nearest to it.
-constexpr std::size_t FewCorners = 12;
 /// Triangles of an overlay that become candidates of a joint cover; the others are found while it is made.
-constexpr std::size_t MostMet = 32;
+constexpr std::size_t MaxMet = 32;
 /// Largest distance of a point of a triangle, or of a segment, to its nearest corner, divided by the longest edge.
 double CoveringRatio(int corners)
 {
@@ -31,7 +29,7 @@ Corners PositionsOf(const Piece& piece)
 
 //------------------------------------------------------------------------------
 PieceSearch::PieceSearch(const Simplices& source, const Target& target, const PointValues& values,
-  const SearchGoal& goal, const LargestExcess& largest)
+  const SearchGoal& goal, const MaxExcess& largest)
   : Source(source)
   , To(target)
   , Values(values)
@@ -51,7 +49,7 @@ double PieceSearch::ClosingBound() const
     return limit;
   }
   const double gap =
-    std::max(this->Goal.LeastGap, this->Goal.RelativeGap * (this->Most.Value + this->Goal.Scale));
+    std::max(this->Goal.MinGap, this->Goal.RelativeGap * (this->Most.Value + this->Goal.Scale));
   return std::max(limit, this->Most.Value + gap);
 }
 
@@ -77,7 +75,7 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
     }
     if (piece.Upper <= this->ClosingBound() || piece.Depth == DeepestCut)
     {
-      this->MostClosed = std::max(this->MostClosed, piece.Upper);
+      this->MaxClosed = std::max(this->MaxClosed, piece.Upper);
     }
     else
     {
@@ -94,15 +92,15 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
 //------------------------------------------------------------------------------
 double PieceSearch::UpperOf(Index simplex, std::int64_t mostCuts)
 {
-  this->Most = LargestExcess();
-  this->MostClosed = -Infinity;
+  this->Most = MaxExcess();
+  this->MaxClosed = -Infinity;
   const Piece whole = this->Whole(simplex);
   for (int i = 0; i < whole.Count; ++i)
   {
     this->Learn(whole.Corners[i], simplex);
   }
   const double left = this->Explore(simplex, mostCuts);
-  return std::max(left, this->MostClosed);
+  return std::max(left, this->MaxClosed);
 }
 
 //------------------------------------------------------------------------------
@@ -142,7 +140,7 @@ bool PieceSearch::CloseAsSame(const Piece& whole)
   {
     return false;
   }
-  this->MostClosed = std::max(this->MostClosed, 0.0 - this->To.Tolerance(same) - leastTolerance);
+  this->MaxClosed = std::max(this->MaxClosed, 0.0 - this->To.Tolerance(same) - leastTolerance);
   return true;
 }
 
@@ -208,101 +206,117 @@ void PieceSearch::Learn(const PieceCorner& corner, Index simplex)
 }
 
 //------------------------------------------------------------------------------
-/// A position of the piece with what is nearest to it, from the tree.
-PieceCorner PieceSearch::NearestAt(const Vector3& position, Index hint, Index simplex)
+/// What is nearest to a position of the piece, or beside it because of rounding, from the tree.
+Index PieceSearch::LearnNear(const Vector3& position, Index hint, const Piece& piece, Index simplex)
 {
   PieceCorner corner;
-  corner.Position = position;
-  const Target::Candidate found = this->To.FindLeast(position, hint);
+  corner.Position = FindFoot(position, PositionsOf(piece)).Position;
+  const Target::Candidate found = this->To.FindLeast(corner.Position, hint);
   corner.Value = found.Value;
   corner.Nearest = found.Simplex;
   this->Learn(corner, simplex);
-  return corner;
+  return corner.Nearest;
 }
 
 //------------------------------------------------------------------------------
-/// A small piece lies over few triangles, which a joint cover finds soonest.
+/// Where the overlay is too far, a joint cover of these parts may be near, or else, or if it does not cover the piece, one of all.
 void PieceSearch::BoundByCovers(Piece& piece, Index simplex)
 {
-  this->Joint.Begin(PositionsOf(piece));
-  if (this->IsSmall(piece))
-  {
-    this->BoundJointly(piece, simplex, FewCorners);
-  }
-  if (piece.Upper > this->ClosingBound())
+  const Corners positions = PositionsOf(piece);
+  const Triangle nearest = { piece.Corners[0].Nearest, piece.Corners[1].Nearest,
+    piece.Corners[2].Nearest };
+  if (this->Cover->Find(positions, nearest, this->Limit()))
   {
     this->BoundByOverlay(piece, simplex);
   }
   if (piece.Upper > this->ClosingBound())
   {
+    this->Joint.Begin(this->Goal.Slack);
+    this->Joint.Cover(positions.data(), 3);
     const std::vector<Index>& met = this->Cover->Met();
-    for (std::size_t i = 0; i < std::min(met.size(), MostMet); ++i)
+    for (std::size_t i = 0; i < std::min(met.size(), MaxMet); ++i)
     {
       this->Joint.Add(this->To.CornersOf(met[i]), met[i]);
     }
-    this->BoundJointly(piece, simplex, JointCover::MostCorners);
+    this->BoundJointly(piece, simplex);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Whether the longest edge of the piece is shorter than that of the triangle nearest to a corner.
-bool PieceSearch::IsSmall(const Piece& piece) const
-{
-  const auto longest = [](const Corners& of)
-  {
-    return std::max({ (of[1] - of[0]).squaredNorm(), (of[2] - of[1]).squaredNorm(),
-      (of[0] - of[2]).squaredNorm() });
-  };
-  return longest(PositionsOf(piece)) < longest(this->To.CornersOf(piece.Corners[0].Nearest));
-}
-
-//------------------------------------------------------------------------------
-/// Lowers the bound of the piece, and learns the distance where the overlay is farthest.
+/// Learns the distance where the overlay is farthest, and leaves what is still too far to the joint cover.
 void PieceSearch::BoundByOverlay(Piece& piece, Index simplex)
 {
-  const OverlayCover::Bound over = this->Cover->Find(PositionsOf(piece), piece.Corners[0].Nearest);
-  piece.Upper = std::min(piece.Upper, over.Upper + this->Goal.Slack);
-  if (over.Nearest != None && piece.Upper > this->ClosingBound())
+  const std::vector<OverlayCover::Part>& parts = this->Cover->FarParts();
+  const auto farthest = std::max_element(
+    parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.Upper < b.Upper; });
+  if (farthest != parts.end())
   {
-    this->NearestAt(over.Position, over.Nearest, simplex);
+    piece.Upper = std::min(piece.Upper, farthest->Upper + this->Goal.Slack);
+    this->LearnNear(farthest->Corners[farthest->Farthest], farthest->Nearest, piece, simplex);
   }
+  this->Joint.Begin(this->Goal.Slack);
+  this->Joint.Raise(this->Cover->Upper());
+  for (const OverlayCover::Part& part : parts)
+  {
+    if (part.Upper <= this->Limit())
+    {
+      this->Joint.Raise(part.Upper);
+    }
+    else
+    {
+      this->Joint.Cover(part.Corners.data(), part.Count);
+      this->AddWithNeighbors(part.Nearest);
+    }
+  }
+  this->BoundJointly(piece, simplex);
+}
+
+//------------------------------------------------------------------------------
+/// mm, the largest distance at which a piece is closed.
+double PieceSearch::Limit() const
+{
+  return std::max(0.0, this->ClosingBound() - this->Goal.Slack);
 }
 
 //------------------------------------------------------------------------------
 /// Lowers the bound of the piece if a few triangles cover it. Where they are too far, adds the nearest one or learns the distance.
-void PieceSearch::BoundJointly(Piece& piece, Index simplex, std::size_t mostCorners)
+void PieceSearch::BoundJointly(Piece& piece, Index simplex)
 {
-  for (const PieceCorner& corner : piece.Corners)
-  {
-    this->Joint.Add(this->To.CornersOf(corner.Nearest), corner.Nearest);
-  }
   for (bool goesOn = true; goesOn;)
   {
-    const double limit = std::max(0.0, this->ClosingBound() - this->Goal.Slack);
-    const JointCover::Outcome outcome = this->Joint.Run(limit, mostCorners);
+    const double limit = this->Limit();
+    const JointCover::Outcome outcome = this->Joint.Run(limit, JointCover::MaxCorners);
     if (outcome == JointCover::Outcome::Covered)
     {
       piece.Upper = std::min(piece.Upper, this->Joint.Upper() + this->Goal.Slack);
     }
     goesOn = outcome == JointCover::Outcome::Far &&
       this->AddNearest(
-        this->NearestAt(this->Joint.FarPosition(), this->Joint.NearestToFar(), simplex), limit);
+        this->LearnNear(this->Joint.FarPosition(), this->Joint.NearestToFar(), piece, simplex),
+        limit);
   }
 }
 
 //------------------------------------------------------------------------------
 /// Adds to the joint cover what is nearest to a corner, and its neighbors. False if neither the candidates nor the limit changed.
-bool PieceSearch::AddNearest(const PieceCorner& far, double limit)
+bool PieceSearch::AddNearest(Index nearest, double limit)
 {
-  if (this->Joint.Has(far.Nearest))
+  if (this->Joint.Has(nearest))
   {
-    return this->ClosingBound() - this->Goal.Slack > limit;
+    return this->Limit() > limit;
   }
-  if (!this->Joint.Add(this->To.CornersOf(far.Nearest), far.Nearest))
+  return this->AddWithNeighbors(nearest);
+}
+
+//------------------------------------------------------------------------------
+/// False if the joint cover has too many candidates.
+bool PieceSearch::AddWithNeighbors(Index simplex)
+{
+  if (!this->Joint.Add(this->To.CornersOf(simplex), simplex))
   {
     return false;
   }
-  for (const Index neighbor : this->To.Neighbors(far.Nearest))
+  for (const Index neighbor : this->To.Neighbors(simplex))
   {
     if (neighbor >= 0)
     {

@@ -21,7 +21,7 @@ class PieceSearch
 {
 public:
   PieceSearch(const Simplices& source, const Target& target, const PointValues& values,
-    const SearchGoal& goal, const LargestExcess& largest);
+    const SearchGoal& goal, const MaxExcess& largest);
 
   /// Closes pieces of a simplex with at most that many cuts.
   /// @return mm, an upper bound of the excess of the open pieces; minus infinity if all are closed.
@@ -31,12 +31,12 @@ public:
   /// @return mm, an upper bound of the excess of this simplex, within the gap if that many cuts are enough.
   double UpperOf(Index simplex, std::int64_t mostCuts);
 
-  const LargestExcess& Largest() const { return this->Most; }
+  const MaxExcess& Largest() const { return this->Most; }
   /// mm; pieces are closed if their upper bound does not exceed this.
   double ClosingBound() const;
   double Closed() const
   {
-    return this->MostClosed;
+    return this->MaxClosed;
   } ///< mm, largest upper bound of the closed pieces
   std::int64_t Cuts() const { return this->CutsMade; }
 
@@ -58,18 +58,19 @@ private:
   Parts Divide(const Piece& piece, const CutWeights& weights, const PieceCorner& corner) const;
   void Cut(const Piece& piece, Index simplex);
   void BoundByCovers(Piece& piece, Index simplex);
-  bool IsSmall(const Piece& piece) const;
   void BoundByOverlay(Piece& piece, Index simplex);
-  void BoundJointly(Piece& piece, Index simplex, std::size_t mostCorners);
-  bool AddNearest(const PieceCorner& far, double limit);
-  PieceCorner NearestAt(const Vector3& position, Index hint, Index simplex);
+  double Limit() const;
+  void BoundJointly(Piece& piece, Index simplex);
+  bool AddWithNeighbors(Index simplex);
+  bool AddNearest(Index nearest, double limit);
+  Index LearnNear(const Vector3& position, Index hint, const Piece& piece, Index simplex);
 
   const Simplices& Source;
   const Target& To;
   const PointValues& Values;
   const SearchGoal& Goal;
-  LargestExcess Most;
-  double MostClosed = -std::numeric_limits<double>::infinity(); // mm
+  MaxExcess Most;
+  double MaxClosed = -std::numeric_limits<double>::infinity(); // mm
   std::int64_t CutsMade = 0;
   std::vector<Piece> Stack;
   JointCover Joint;

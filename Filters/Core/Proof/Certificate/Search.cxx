@@ -70,7 +70,7 @@ public:
 private:
   struct Part
   {
-    LargestExcess Largest;
+    MaxExcess Largest;
     double Closed = -Infinity;
     double Left = -Infinity;
     std::int64_t Cuts = 0;
@@ -113,12 +113,12 @@ private:
       std::remove_if(this->Open.begin(), this->Open.end(), isClosed), this->Open.end());
   }
 
-  bool MayCut() const { return !this->Open.empty() && this->Cuts < this->Goal.MostCuts; }
+  bool MayCut() const { return !this->Open.empty() && this->Cuts < this->Goal.MaxCuts; }
 
   bool Round(std::int64_t mostCuts, const Monitor& monitor)
   {
     const std::int64_t evenCuts = std::max<std::int64_t>(
-      1, (this->Goal.MostCuts - this->Cuts) / static_cast<std::int64_t>(this->Open.size()));
+      1, (this->Goal.MaxCuts - this->Cuts) / static_cast<std::int64_t>(this->Open.size()));
     const std::int64_t cuts = std::min(mostCuts, evenCuts);
     std::vector<Part> parts(NumberOfChunks(this->Open.size()));
     const bool goesOn = ForEachChunk(this->Open.size(), this->Goal.NumberOfThreads, monitor,
@@ -163,7 +163,7 @@ private:
     {
       return bounds; // the source is empty
     }
-    const LargestExcess& found = this->Largest;
+    const MaxExcess& found = this->Largest;
     const double value = this->To.ValueFromBelow(found.Position, found.Value + found.Tolerance);
     const bool isDistance = this->Source.PointTolerance.empty() && !this->To.HasTolerances();
     bounds.Lower =
@@ -179,7 +179,7 @@ private:
   const PointValues& Values;
   const SearchGoal& Goal;
   std::vector<Index> Open; // simplices with pieces that are not closed
-  LargestExcess Largest;
+  MaxExcess Largest;
   double Closed = -Infinity; // mm, the largest upper bound of closed pieces
   double Left = -Infinity;   // mm, the same of open pieces
   std::int64_t Cuts = 0;

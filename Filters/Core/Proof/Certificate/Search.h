@@ -41,12 +41,12 @@ struct SearchGoal
 {
   double CloseBelow = 0.0; ///< mm; pieces whose excess is proved not to exceed this are not refined
   double RelativeGap = 0.0; ///< of upper and lower bound
-  double LeastGap = 0.0;    ///< mm; at least several slacks, or no piece is ever closed
+  double MinGap = 0.0;      ///< mm; at least several slacks, or no piece is ever closed
   double Slack = 0.0;       ///< mm; see Slack()
   double Scale = 0.0;       ///< mm; added to the bound to which RelativeGap applies
   bool Decides =
     false; ///< Close no piece above CloseBelow as long as no excess above it was found.
-  std::int64_t MostCuts = 0;
+  std::int64_t MaxCuts = 0;
   int NumberOfThreads = 0;
 };
 
@@ -58,7 +58,7 @@ struct PointValues
 };
 
 /// The position with the largest excess found so far.
-struct LargestExcess
+struct MaxExcess
 {
   double Value = -std::numeric_limits<double>::infinity(); // mm, excess
   double Tolerance = 0.0;                                  // mm
@@ -66,7 +66,7 @@ struct LargestExcess
   Index Simplex = None;
   Index Nearest = None; // of the target
 
-  void Join(const LargestExcess& other)
+  void Join(const MaxExcess& other)
   {
     if (other.Value > this->Value)
     {
@@ -79,7 +79,7 @@ struct LargestExcess
 struct KnownBounds
 {
   std::vector<double> Upper; ///< mm, of the excess of each simplex; empty: unknown
-  LargestExcess Largest;
+  MaxExcess Largest;
 };
 
 /// @param ofAll Evaluate all usable points, not only corners.

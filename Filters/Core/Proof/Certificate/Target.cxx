@@ -46,7 +46,7 @@ Target::Target(const Simplices& simplices, int threads, const std::function<void
 void Target::SetTolerances(std::vector<double> tolerances)
 {
   this->Tolerances = std::move(tolerances);
-  this->LargestTolerance = *std::max_element(this->Tolerances.begin(), this->Tolerances.end());
+  this->MaxTolerance = *std::max_element(this->Tolerances.begin(), this->Tolerances.end());
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +78,7 @@ Target::Candidate Target::FindLeast(const Vector3& p, Index hint) const
     return best;
   }
   // A simplex farther than this cannot have a smaller value, whatever its tolerance.
-  double reach = Squared(best.Value + this->LargestTolerance);
+  double reach = Squared(best.Value + this->MaxTolerance);
   this->Tree.VisitNear(p, reach,
     [&](Index simplex)
     {
@@ -86,7 +86,7 @@ Target::Candidate Target::FindLeast(const Vector3& p, Index hint) const
       if (value < best.Value || (value == best.Value && simplex < best.Simplex))
       {
         best = { simplex, value };
-        reach = Squared(best.Value + this->LargestTolerance);
+        reach = Squared(best.Value + this->MaxTolerance);
       }
     });
   return best;

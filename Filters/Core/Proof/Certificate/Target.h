@@ -83,7 +83,7 @@ private:
   const Simplices& Set;
   BoundingTree Tree;
   std::vector<double> Tolerances; // mm; empty: 0
-  double LargestTolerance = 0.0;  // mm
+  double MaxTolerance = 0.0;      // mm
   mutable WorkspacePool<OverlayCover> Covers;
 };
 }

@@ -10,25 +10,25 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-constexpr std::int64_t MostCutsOfOne = 4096;
+constexpr std::int64_t MaxCutsOfOne = 4096;
 }
 
 std::vector<double> FindTriangleBounds(const Simplices& source, const Target& target,
-  const PointValues& values, const SearchGoal& goal, LargestExcess& largest, const Monitor& monitor)
+  const PointValues& values, const SearchGoal& goal, MaxExcess& largest, const Monitor& monitor)
 {
   std::vector<double> bounds(source.Size(), std::numeric_limits<double>::infinity());
-  std::vector<LargestExcess> parts(NumberOfChunks(source.Size()));
+  std::vector<MaxExcess> parts(NumberOfChunks(source.Size()));
   ForEachChunk(source.Size(), goal.NumberOfThreads, monitor,
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
-      PieceSearch search(source, target, values, goal, LargestExcess());
+      PieceSearch search(source, target, values, goal, MaxExcess());
       for (std::size_t simplex = first; simplex < last; ++simplex)
       {
-        bounds[simplex] = search.UpperOf(static_cast<Index>(simplex), MostCutsOfOne);
+        bounds[simplex] = search.UpperOf(static_cast<Index>(simplex), MaxCutsOfOne);
         parts[chunk].Join(search.Largest());
       }
     });
-  for (const LargestExcess& part : parts)
+  for (const MaxExcess& part : parts)
   {
     largest.Join(part);
   }

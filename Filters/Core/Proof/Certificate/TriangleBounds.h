@@ -19,8 +19,7 @@ namespace bonedecimate::certificate
  * @return mm, for each simplex; after an abort the remaining ones are infinite.
  */
 std::vector<double> FindTriangleBounds(const Simplices& source, const Target& target,
-  const PointValues& values, const SearchGoal& goal, LargestExcess& largest,
-  const Monitor& monitor);
+  const PointValues& values, const SearchGoal& goal, MaxExcess& largest, const Monitor& monitor);
 }
 
 #endif

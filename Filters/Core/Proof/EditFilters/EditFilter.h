@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EditFilter.h
- * @brief Decides whether an edit is applied, after the rules of its kind and before the mesh changes.
+ * @brief Decides whether an edit is applied, after the rules of its
+ * kind and before the mesh changes.
  *
  *     for each filter:   Screen    cheap
  *     for each filter:   Check     costly
@@ -11,10 +12,10 @@
  *     for each filter:   StillAccepts
  *     the editor changes the mesh
  *     for each filter:   Commit
- *     later:             Settle    one worker's commits, or those of workers that worked at the same time
+ *     later:             Settle    commits of one worker, or of workers that worked together
  *
- * The order of the filters is part of the result: an edit is rejected for the first reason found, and every Screen runs before any
- * Check.
+ * The order of the filters is part of the result: an edit is rejected for the first reason found,
+ * and every Screen runs before any Check.
  *
  * Several workers call Screen, Check and Commit at the same time, each with a Pending of its own and on a part of the mesh of
  * its own. A filter that would have to read another part defers the edit. Or several edits are checked at the same time, each with a
@@ -34,7 +35,8 @@ namespace bonedecimate
 class EditFilter
 {
 public:
-  /// State of a filter for one worker: what it knows of the edit that was proposed last, for Commit, and memory to work with.
+  /// State of a filter for one worker: what it knows of the edit that was proposed last, for
+  /// Commit, and memory to work with.
   class Pending
   {
   public:
@@ -63,18 +65,20 @@ public:
     return Decision::Accept();
   }
 
-  /// mm, after Check: what lies farther away from the faces that the edit changes has no influence on the decision.
+  /// mm, after Check: what lies farther away from the faces that the edit changes
+  /// has no influence on the decision.
   virtual double Reach(const Pending& /*pending*/) const { return 0.0; }
 
-  /// Whether the edit that was checked last is still accepted after others were committed that changed no face within Reach.
+  /// Whether the edit that was checked last is still accepted after others were committed
+  /// that changed no face within Reach.
   virtual bool StillAccepts(
     const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/, Pending& /*pending*/) const
   {
     return true;
   }
 
-  /// Before a split is proposed: what is known of a vertex holds for the new one, too, whose id a removed one had. No other
-  /// worker is active.
+  /// Before a split is proposed: what is known of a vertex holds for the new one, too, whose id a
+  /// removed one had. No other worker is active.
   virtual void Adopt(VertexId /*made*/, VertexId /*like*/) {}
 
   /// Records the edit that all filters accepted.
@@ -84,7 +88,8 @@ public:
   {
   }
 
-  /// Adds its part of the tallies to its own state, in an order that does not depend on the threads; no worker is active.
+  /// Adds its part of the tallies to its own state, in an order that does not depend on
+  /// the threads; no worker is active.
   virtual void Settle(Tally* /*tallies*/, std::size_t /*count*/) {}
 };
 }

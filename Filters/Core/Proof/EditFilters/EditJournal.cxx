@@ -74,7 +74,8 @@ void EditJournal::Commit(
 }
 
 //------------------------------------------------------------------------------
-/// Edits of workers that were active at the same time have no face in common: one worker's after another's is a valid order.
+/// Edits of workers that were active at the same time have no face in common: one worker's
+/// after another's is a valid order.
 void EditJournal::Settle(Tally* tallies, std::size_t count)
 {
   for (Tally* tally = tallies; tally != tallies + count; ++tally)

@@ -2,17 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EditJournal.h
- * @brief Records what each collapse replaces, so that it can be undone: the last of the edit filters, accepts everything.
+ * @brief Records what each collapse replaces, so that it can be undone: the last of the
+ * edit filters, accepts everything.
  *
- *     entry:      the vertices, the new position, what Editor::UndoOne cannot derive, and the versions of its faces
+ *     entry:      the vertices, the new position, what Editor::UndoOne cannot
+ *                 derive, and the versions of its faces
  *     version:    a face from one of its edits to the next, with the positions of its corners then
- *     position:   of a vertex from one of its edits to the next: the vertex before the first, number of vertices + edit after one
+ *     position:   of a vertex from one of its edits to the next: the vertex before the first,
+ *                 number of vertices + edit after one
  *     chains:     of each face and of each merged vertex, its edits from the last to the first
- *     undo e:     first every later edit of one of the faces of e, then restore the faces (Editor::Undo)
+ *     undo e:     first every later edit of one of the faces of e, then
+ *                 restore the faces (Editor::Undo)
  *
- * An edit depends on the records of its faces and on the positions of their corners alone, and every edit that moves a corner
- * replaces all faces there. So the edits that are left are a valid sequence of edits, in their order, and each replaces the same faces
- * by the same faces as when it was made.
+ * An edit depends on the records of its faces and on the positions of their corners alone,
+ * and every edit that moves a corner replaces all faces there. So the edits that are left
+ * are a valid sequence of edits, in their order, and each replaces the same faces by the
+ * same faces as when it was made.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_EditJournal_h
 #define BoneDecimate_Core_Proof_EditFilters_EditJournal_h
@@ -91,7 +96,8 @@ public:
   /// Whether the mesh stored the first normal of a face before the first edit.
   bool HadFirstNormal(FaceId face) const { return this->HadNormal[face]; }
 
-  /// The edit and all later edits that depend on it, the last first: the order in which to undo them.
+  /// The edit and all later edits that depend on it, the last first:
+  /// the order in which to undo them.
   std::vector<Index> DependentsOf(Index edit) const;
   /// Takes the edit out of the chains; nothing that is left may depend on it.
   void Remove(Index edit);

@@ -57,13 +57,18 @@ void EditRecorder::AddMerged(Tally* tallies, std::size_t count)
 
 //------------------------------------------------------------------------------
 /// A patch belongs to the level of the collapse before it, so no level ends between them.
-void EditRecorder::AddMoves(const std::vector<VertexMove>& moves)
+void EditRecorder::AddNearby(
+  const std::vector<VertexMove>& moves, const std::vector<SurfaceChange::Face>& faces)
 {
   LoggedPatch patch;
   patch.Collapses = static_cast<Index>(this->Log.Collapses.size());
   for (const VertexMove& move : moves)
   {
     patch.Vertices.push_back({ move.Vertex, move.Position });
+  }
+  for (const SurfaceChange::Face& face : faces)
+  {
+    patch.Faces.push_back({ face.Id, face.Vertices });
   }
   this->Log.Patches.push_back(std::move(patch));
 }

@@ -4,12 +4,12 @@
  * @file EditRecorder.h
  * @brief Records the log of a run in an order that does not depend on the threads.
  *
- * Each worker lists its collapses. The lists of parallel workers are merged as if one worker had taken the cheapest edit
- * first: by the largest rank so far in each list, then by list. Parallel workers have no vertex in common, so any order
- * that preserves the order in each list is valid.
+ * Each worker lists its collapses. The lists of parallel workers are merged as if one worker had
+ * taken the cheapest edit first: by the largest rank so far in each list, then by list. Parallel
+ * workers have no vertex in common, so any order that preserves the order in each list is valid.
  *
- * Flips and moves are many, and no level ends between them: a patch stores their combined changes. So it does for moves that
- * belong to a collapse.
+ * Flips and moves are many, and no level ends between them: a patch stores their combined changes.
+ * So it does for moves that belong to a collapse.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_EditRecorder_h
 #define BoneDecimate_Core_Proof_EditFilters_EditRecorder_h
@@ -31,8 +31,10 @@ public:
   void BeginPatch(const HalfEdgeMesh& mesh);
   void EndPatch(const HalfEdgeMesh& mesh);
 
-  /// Adds the vertices that move with the last collapse that was settled.
-  void AddMoves(const std::vector<VertexMove>& moves);
+  /// Adds the vertices that move with the last collapse that was settled, and the faces that differ
+  /// from those that it leaves.
+  void AddNearby(
+    const std::vector<VertexMove>& moves, const std::vector<SurfaceChange::Face>& faces);
 
   /// Positions are in mm from the local origin.
   EditLog Take() { return std::move(this->Log); }

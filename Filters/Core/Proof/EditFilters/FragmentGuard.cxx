@@ -13,19 +13,17 @@ namespace bonedecimate
 namespace
 {
 /// A closed fragment keeps at least this part of its volume.
-constexpr double LeastVolumeRatio = 0.25;
-/// A vertex is edited by its own move and by flips of its edges: about three edges a vertex, and a margin.
+constexpr double MinVolumeRatio = 0.25;
+/// A vertex is edited by its own move and by flips of its edges: about
+/// three edges a vertex, and a margin.
 constexpr double EditsOfVertex = 8.0;
 }
 
-FragmentGuard::FragmentGuard(const HalfEdgeMesh& mesh, const Surface& joined)
+FragmentGuard::FragmentGuard(
+  const HalfEdgeMesh& mesh, const Surface& surface, const std::vector<Index>& originals)
 {
-  Components components = FindComponents(joined);
+  Components components = FindComponents(surface, originals);
   this->OfVertex = std::move(components.OfPoint);
-  for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-  {
-    this->OfVertex[v] = this->OfVertex[mesh.OriginalVertex(v)];
-  }
   this->Volumes.resize(static_cast<std::size_t>(components.Count));
   const std::vector<double> volumes = this->Measure(mesh);
   for (std::size_t i = 0; i < volumes.size(); ++i)
@@ -42,7 +40,8 @@ FragmentGuard::FragmentGuard(const HalfEdgeMesh& mesh, const Surface& joined)
   }
 }
 
-/// Each about a point of its own, so that a small fragment far from the origin keeps its digits. mm^3
+/// Each about a point of its own, so that a small fragment far from
+/// the origin keeps its digits. mm^3
 std::vector<double> FragmentGuard::Measure(const HalfEdgeMesh& mesh) const
 {
   std::vector<double> volumes(this->Volumes.size(), 0.0);
@@ -73,9 +72,8 @@ std::vector<char> FragmentGuard::FindTooSmall(const HalfEdgeMesh& mesh) const
   {
     const Volume& volume = this->Volumes[i];
     isTooSmall[i] =
-      volume.IsClosed && volume.AtFirst != 0.0 && volumes[i] / volume.AtFirst < LeastVolumeRatio
-      ? 1
-      : 0;
+      volume.IsClosed && volume.AtFirst != 0.0 && volumes[i] / volume.AtFirst < MinVolumeRatio ? 1
+                                                                                               : 0;
   }
   return isTooSmall;
 }
@@ -93,7 +91,7 @@ void FragmentGuard::DistributeBudget(const HalfEdgeMesh& mesh)
   {
     Volume& volume = this->Volumes[i];
     volume.Now = volumes[i];
-    const double left = std::abs(volume.Now) - LeastVolumeRatio * std::abs(volume.AtFirst);
+    const double left = std::abs(volume.Now) - MinVolumeRatio * std::abs(volume.AtFirst);
     volume.Budget = std::max(0.0, left) / (EditsOfVertex * std::max(1, vertices[i]));
   }
 }
@@ -121,7 +119,7 @@ bool FragmentGuard::MayChange(const ProposedEdit& edit, int workers) const
   {
     return true;
   }
-  const double spare = (volume.Now / volume.AtFirst - LeastVolumeRatio) / workers;
+  const double spare = (volume.Now / volume.AtFirst - MinVolumeRatio) / workers;
   return spare + edit.Unsettled->Of(component) / volume.AtFirst + change >= 0.0;
 }
 

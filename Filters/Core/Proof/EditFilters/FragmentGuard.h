@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FragmentGuard.h
- * @brief Keeps a quarter of the volume of every closed component, so that none is flattened or turned inside out.
+ * @brief Keeps a quarter of the volume of every closed component, so that none is
+ * flattened or turned inside out.
  *
- *     collapse:       rejected if the component, with what the worker has not settled yet, would lose too much
- *     flip, move:     allowed within the volume budget of the vertex, which needs no bookkeeping; beyond it as a collapse
+ *     collapse:       rejected if the component, with what the worker has not
+ *                     settled yet, would lose too much
+ *     flip, move:     allowed within the volume budget of the vertex, which needs no
+ *                     bookkeeping; beyond it as a collapse
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_FragmentGuard_h
 #define BoneDecimate_Core_Proof_EditFilters_FragmentGuard_h
@@ -19,8 +22,9 @@ namespace bonedecimate
 class FragmentGuard : public EditFilter
 {
 public:
-  /// @param joined The surface of the mesh, its manifold patches joined.
-  FragmentGuard(const HalfEdgeMesh& mesh, const Surface& joined);
+  /// @param surface Surface of the mesh.  @param originals Original vertices, from PatchMap.
+  FragmentGuard(
+    const HalfEdgeMesh& mesh, const Surface& surface, const std::vector<Index>& originals = {});
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
@@ -38,7 +42,8 @@ public:
 
   Index ComponentOf(VertexId vertex) const { return this->OfVertex[vertex]; }
   bool IsClosed(Index component) const { return this->Volumes[component].IsClosed; }
-  /// mm^3, the volume before the first edit less that at the last DistributeBudget, both signed; 0 unless it is closed.
+  /// mm^3, the volume before the first edit less that at the last DistributeBudget, both
+  /// signed; 0 unless it is closed.
   double LostVolume(Index component) const
   {
     const Volume& volume = this->Volumes[component];
@@ -48,8 +53,8 @@ public:
   /// measured again.
   std::vector<char> FindTooSmall(const HalfEdgeMesh& mesh) const;
 
-  /// Measures all volumes and divides what closed components may still lose among their vertices, so that vertices may be
-  /// edited at the same time without the changes of other workers.
+  /// Measures all volumes and divides what closed components may still lose among their vertices,
+  /// so that vertices may be edited at the same time without the changes of other workers.
   void DistributeBudget(const HalfEdgeMesh& mesh);
 
 private:

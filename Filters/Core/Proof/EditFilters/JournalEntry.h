@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file JournalEntry.h
- * @brief A collapse in the journal (EditJournal.h). A draft has a collapse for every second triangle of its input, and ten face
- *        versions for each: these records are most of its memory.
+ * @brief A collapse in the journal (EditJournal.h). A draft has a collapse for every second
+ * triangle of its input, and ten face versions for each: these records are most of its memory.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_JournalEntry_h
 #define BoneDecimate_Core_Proof_EditFilters_JournalEntry_h
@@ -39,7 +39,8 @@ struct JournalEntry
   static constexpr Index NumberOfGoneFaces = 2;
 };
 
-/// What a worker has recorded since it was settled last; the faces of one entry after those of another.
+/// What a worker has recorded since it was settled last; the faces of
+/// one entry after those of another.
 struct JournalPart
 {
   struct Face

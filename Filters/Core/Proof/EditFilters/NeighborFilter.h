@@ -4,7 +4,8 @@
  * @file NeighborFilter.h
  * @brief Keeps new faces away from parts of the surface that other runs edit at the same time.
  *
- * If this distance is more than how far another run may move its part, no new face of one run meets a face of the other.
+ * If this distance is more than how far another run may move its part, no new face of one
+ * run meets a face of the other.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_NeighborFilter_h
 #define BoneDecimate_Core_Proof_EditFilters_NeighborFilter_h

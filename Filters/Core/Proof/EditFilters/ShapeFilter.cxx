@@ -49,7 +49,7 @@ Decision ShapeFilter::Screen(
 //------------------------------------------------------------------------------
 bool ShapeFilter::KeepsAngles(const HalfEdgeMesh& mesh, const SurfaceChange& change) const
 {
-  return IsAllowed(mesh, change, this->Limits.LargestCosine,
+  return IsAllowed(mesh, change, this->Limits.MaxCosine,
     [](const Triangle&, const Corners& at) { return CosineOfSmallestAngle(at[0], at[1], at[2]); });
 }
 
@@ -72,7 +72,7 @@ bool ShapeFilter::KeepsLengths(const HalfEdgeMesh& mesh, const SurfaceChange& ch
 /// long anywhere.
 double ShapeFilter::SquareOfLongestRatio(const Triangle& vertices, const Corners& at) const
 {
-  const double least = this->Limits.LeastOfLongest();
+  const double least = this->Limits.MinOfLongest();
   if (SquareOfLongestSide(at[0], at[1], at[2]) <= least * least)
   {
     return 0.0;

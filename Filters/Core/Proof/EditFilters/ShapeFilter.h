@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeFilter.h
- * @brief No edit makes a triangle with an angle below the least one or a side above the longest, unless a triangle that it replaces
- *        was worse.
+ * @brief No edit makes a triangle with an angle below the least one or a side above the longest,
+ * unless a triangle that it replaces was worse.
  *
- * So triangles of the input that are worse do not stop collapses, and no edit makes the worst triangle around it worse. A split
- * shortens a side and may make smaller angles for it: flips and moves enlarge them afterwards.
+ * So triangles of the input that are worse do not stop collapses, and no edit makes the worst
+ * triangle around it worse. A split shortens a side and may make smaller angles for it: flips and
+ * moves enlarge them afterwards.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_ShapeFilter_h
 #define BoneDecimate_Core_Proof_EditFilters_ShapeFilter_h

@@ -69,39 +69,21 @@ void SurfaceChange::AddCollapse(
 }
 
 //------------------------------------------------------------------------------
-void SurfaceChange::FillCollapseAndMoves(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around,
-  const Edit& edit, const std::vector<VertexMove>& moves)
+void SurfaceChange::TakeNewFaces(const HalfEdgeMesh& after)
 {
-  this->FillCollapse(mesh, around, edit);
-  const auto isOld = [this](FaceId face)
-  { return std::find(this->OldFaces.begin(), this->OldFaces.end(), face) != this->OldFaces.end(); };
-  for (const VertexMove& move : moves)
+  this->NewFaces.clear();
+  for (const FaceId face : this->OldFaces)
   {
-    for (const HalfEdgeId h : mesh.OutgoingOf(move.Vertex))
+    if (after.IsAlive(face))
     {
-      const FaceId face = HalfEdgeMesh::Face(h);
-      if (!isOld(face))
-      {
-        const Triangle v = mesh.Corners(face);
-        this->OldFaces.push_back(face);
-        this->NewFaces.push_back(
-          { face, v, { mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) } });
-      }
-    }
-  }
-  for (Face& face : this->NewFaces)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const auto move = std::find_if(moves.begin(), moves.end(),
-        [&](const VertexMove& other) { return other.Vertex == face.Vertices[i]; });
-      face.Corners[i] = move != moves.end() ? move->Position : face.Corners[i];
+      this->NewFaces.push_back({ face, after.Corners(face), PositionsOf(after, face) });
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/// Different curves may meet in a stationary vertex. There, an edge may only replace an edge of the same curve.
+/// Different curves may meet in a stationary vertex. There, an edge may only
+/// replace an edge of the same curve.
 void SurfaceChange::AddBoundary(
   const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit)
 {

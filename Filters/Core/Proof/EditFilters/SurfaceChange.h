@@ -33,7 +33,8 @@ struct SurfaceChange
     std::array<VertexId, 2> Vertices;
     std::array<Vector3, 2> Ends;
     HalfEdgeId Replaces = None; ///< If BoundaryStays: the old half-edge at the same position.
-    /// Vertices near the ends that lie on this line alone: stationary ones are replaced by one that is not.
+    /// Vertices near the ends that lie on this line alone: stationary ones
+    /// are replaced by one that is not.
     std::array<VertexId, 2> OnLine = {};
   };
 
@@ -50,9 +51,8 @@ struct SurfaceChange
   void FillCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
   /// Adds the collapse in one more manifold patch; all collapses end at one original vertex.
   void AddCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
-  /// Fills a collapse and moves of vertices near its edge, all inside, none of them an end of it.
-  void FillCollapseAndMoves(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around,
-    const Edit& edit, const std::vector<VertexMove>& moves);
+  /// Takes those of the old faces that are left, as the edit made them.
+  void TakeNewFaces(const HalfEdgeMesh& after);
   void FillMove(const HalfEdgeMesh& mesh, const Edit& edit);
   /// The mesh must turn the edge as HalfEdgeMesh::Flip says.
   void FillFlip(const HalfEdgeMesh& mesh, const Edit& edit);

@@ -4,8 +4,8 @@
  * @file ZoneFilter.h
  * @brief Keeps all edits between two parallel planes.
  *
- * What lies between two planes is convex: new faces with all corners there stay there. Zones that do not overlap can be edited
- * independently, and no face of one can intersect a face of another.
+ * What lies between two planes is convex: new faces with all corners there stay there. Zones that
+ * do not overlap can be edited independently, and no face of one can intersect a face of another.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_ZoneFilter_h
 #define BoneDecimate_Core_Proof_EditFilters_ZoneFilter_h

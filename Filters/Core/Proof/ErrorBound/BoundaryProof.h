@@ -48,7 +48,7 @@ public:
         visit(shared);
         continue;
       }
-      if (pieces >= MostPieces)
+      if (pieces >= MaxPieces)
       {
         return false;
       }
@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  static constexpr int MostPieces = 64;
+  static constexpr int MaxPieces = 64;
 
   /// The first candidate within the limits of both ends; their number if there is none.
   std::size_t SharedBy(const Piece& piece) const;

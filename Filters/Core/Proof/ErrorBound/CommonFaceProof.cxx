@@ -11,9 +11,9 @@ namespace bonedecimate
 namespace
 {
 /// Least squared sine of an angle of a triangle. Sharper ones have no useful plane, only sides.
-constexpr double LeastSquaredSine = 1e-18;
+constexpr double MinSquaredSine = 1e-18;
 /// Splits nearer to an end of the edge than this fraction gain too little.
-constexpr double LeastFraction = 0.02;
+constexpr double MinFraction = 0.02;
 
 /// If a weight is nearer to zero than this, the point is on the side of the face.
 constexpr double OnSide = 1e-9;
@@ -54,7 +54,7 @@ void CommonFaceProof::AddCandidate(const std::array<Vector3, 3>& corners, double
     batch.Bb[lane] = bb;
     batch.Bc[lane] = bc;
     batch.Cc[lane] = cc;
-    batch.PerDeterminant[lane] = determinant > LeastSquaredSine * bb * cc ? 1.0 / determinant : 0.0;
+    batch.PerDeterminant[lane] = determinant > MinSquaredSine * bb * cc ? 1.0 / determinant : 0.0;
   }
   this->Most[this->Count++] = most;
 }
@@ -189,6 +189,6 @@ double CommonFaceProof::ExitFraction(const Corner& from, const Corner& to) const
         std::min({ ZeroOf(start[0], end[0]), ZeroOf(start[1], end[1]), ZeroOf(start[2], end[2]) }));
     }
   }
-  return farthest > LeastFraction && farthest < 1.0 - LeastFraction ? farthest : 0.5;
+  return farthest > MinFraction && farthest < 1.0 - MinFraction ? farthest : 0.5;
 }
 }

@@ -47,7 +47,7 @@ class CommonFaceProof
 {
 public:
   using Faces = std::uint64_t; ///< A bit for each candidate.
-  static constexpr std::size_t MostCandidates = 64;
+  static constexpr std::size_t MaxCandidates = 64;
 
   struct Corner
   {
@@ -84,10 +84,10 @@ private:
   std::array<double, 3> Weights(std::size_t candidate, const Vector3& p) const;
 
   const Kernels& Compute;
-  std::array<TriangleBatch, MostCandidates / TriangleBatch::Size> Candidates;
+  std::array<TriangleBatch, MaxCandidates / TriangleBatch::Size> Candidates;
   std::size_t Count = 0;
-  std::array<double, MostCandidates> Most;    // mm
-  std::array<double, MostCandidates> Squared; // mm^2
+  std::array<double, MaxCandidates> Most;    // mm
+  std::array<double, MaxCandidates> Squared; // mm^2
   std::vector<Piece> Open;
   Vector3 Far = Vector3::Zero();
 };

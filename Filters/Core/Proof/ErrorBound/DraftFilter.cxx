@@ -147,7 +147,7 @@ Decision DraftFilter::Check(
 {
   Pending& work = static_cast<Pending&>(pending);
   const SurfaceChange& change = edit.Change;
-  if (change.NewFaces.size() > CommonFaceProof::MostCandidates - Coverage::SlotsPerItem)
+  if (change.NewFaces.size() > CommonFaceProof::MaxCandidates - Coverage::SlotsPerItem)
   {
     return Rejection::ErrorBound;
   }

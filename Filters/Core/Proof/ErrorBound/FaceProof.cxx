@@ -14,7 +14,7 @@ constexpr std::size_t MaximumPieces = 256;
 constexpr int HalvingsBeforeCommonFaces = 2;
 /// Parts that CommonFaceProof may make of a piece.
 constexpr std::size_t MaximumParts = 128;
-constexpr Index MaximumAround = CommonFaceProof::MostCandidates;
+constexpr Index MaximumAround = CommonFaceProof::MaxCandidates;
 }
 
 //------------------------------------------------------------------------------

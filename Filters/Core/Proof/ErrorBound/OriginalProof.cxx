@@ -12,9 +12,9 @@ namespace bonedecimate
 namespace
 {
 /// Largest number of pieces of an original, as in Prover.cxx.
-constexpr std::size_t MostPieces = 256;
+constexpr std::size_t MaxPieces = 256;
 /// Faces that are looked at around an original vertex.
-constexpr std::size_t MostAround = 40;
+constexpr std::size_t MaxAround = 40;
 }
 
 OriginalProof::OriginalProof(
@@ -69,12 +69,12 @@ NearFaces OriginalProof::NearTo(VertexId original, const StartOfWalk& starts, Ve
   const Vector3& p = this->Source.Position(original);
   const double limit = this->Allowed.At(original);
   NearFaces near;
-  std::array<Index, MostAround> around;
+  std::array<Index, MaxAround> around;
   std::size_t count = 0;
   const auto add = [&](FaceId face)
   {
     const auto end = around.begin() + static_cast<std::ptrdiff_t>(count);
-    if (count < MostAround && std::find(around.begin(), end, Index(face)) == end)
+    if (count < MaxAround && std::find(around.begin(), end, Index(face)) == end)
     {
       const double squared = FrameOf(this->Mesh, face).SquaredReach(p);
       if (squared <= limit * limit)
@@ -190,7 +190,7 @@ Covering OriginalProof::ProveTogether(Index original, const std::array<const Nea
   }
   CommonFaceProof::Faces used = 0;
   Covering covering;
-  const CommonFaceResult result = proof.Prove(whole, used, MostPieces);
+  const CommonFaceResult result = proof.Prove(whole, used, MaxPieces);
   covering.IsProved =
     result == CommonFaceResult::Proved && CountBits(used) <= Coverage::SlotsPerItem;
   if (result == CommonFaceResult::TooFar)

@@ -41,7 +41,7 @@ public:
 private:
   struct Candidates
   {
-    std::array<Index, CommonFaceProof::MostCandidates> Faces;
+    std::array<Index, CommonFaceProof::MaxCandidates> Faces;
     std::size_t Count = 0;
 
     void Add(Index face);

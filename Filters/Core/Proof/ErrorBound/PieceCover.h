@@ -47,7 +47,7 @@ public:
     {
       const Piece piece = this->Open.back();
       this->Open.pop_back();
-      if (pieces == MostPieces || !IsWithin(target, piece, 0.0))
+      if (pieces == MaxPieces || !IsWithin(target, piece, 0.0))
       {
         return false;
       }
@@ -69,7 +69,7 @@ public:
   }
 
 private:
-  static constexpr int MostPieces = 4096;
+  static constexpr int MaxPieces = 4096;
   static constexpr double Reach = Corners == 3 ? 0.57735026919 : 0.5; // 1 / sqrt(3), rounded up
 
   static std::size_t LongestEdge(const Piece& piece)

@@ -10,7 +10,7 @@ namespace bonedecimate
 namespace
 {
 /// Least squared sine of an angle of a face. With a sharper one, shadows are too far away to use.
-constexpr double LeastSquaredSineOfFace = 1e-8;
+constexpr double MinSquaredSineOfFace = 1e-8;
 /// Bound of the rounding of a sum of four products.
 constexpr double Rounding = 1e-14;
 
@@ -77,7 +77,7 @@ bool PlaneCover::Begin(const std::array<Vector3, 3>& face)
   const double bc = Dot(this->AB, this->AC);
   const double cc = this->AC.squaredNorm();
   const double determinant = bb * cc - bc * bc;
-  if (!(determinant > LeastSquaredSineOfFace * bb * cc))
+  if (!(determinant > MinSquaredSineOfFace * bb * cc))
   {
     return false;
   }

@@ -48,7 +48,7 @@ public:
     for (Index at = 0; at < this->Triangles.Size(); ++at)
     {
       const Index id = this->Triangles[at].Id;
-      if (at == MostTriangles || !this->Visit(id, limit(id)))
+      if (at == MaxTriangles || !this->Visit(id, limit(id)))
       {
         return false;
       }
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  static constexpr Index MostTriangles = 4096;
+  static constexpr Index MaxTriangles = 4096;
   struct Shadow
   {
     Index Id;

@@ -12,13 +12,13 @@ namespace
 {
 /// Largest number of pieces of an original before its proof is given up. With fewer, good edits are
 /// rejected.
-constexpr std::size_t MostPiecesOfItem = 256;
+constexpr std::size_t MaxPiecesOfItem = 256;
 
 /// How many limits the ends of an edge may lie from the new faces.
 constexpr double FarthestOfEnds = 1.5;
 
 /// Leaves candidates for other faces that may have to help cover an item.
-constexpr std::size_t MostNewFaces = CommonFaceProof::MostCandidates - Coverage::SlotsPerItem;
+constexpr std::size_t MaxNewFaces = CommonFaceProof::MaxCandidates - Coverage::SlotsPerItem;
 
 bool FaceIsInRange(const HalfEdgeMesh& mesh, FaceId face, VertexRange range)
 {
@@ -41,7 +41,7 @@ Decision Prover::Prove(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, EditProof& proof)
 {
   this->Change = &change;
-  if (change.NewFaces.size() > MostNewFaces || !this->MovedVertexIsNear())
+  if (change.NewFaces.size() > MaxNewFaces || !this->MovedVertexIsNear())
   {
     return Rejection::ErrorBound;
   }
@@ -336,7 +336,7 @@ bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item)
   }
   item.Used = 0;
   const bool proved =
-    this->CommonFaces.Prove(whole, item.Used, MostPiecesOfItem) == CommonFaceResult::Proved;
+    this->CommonFaces.Prove(whole, item.Used, MaxPiecesOfItem) == CommonFaceResult::Proved;
   item.Used &= (Faces(1) << newFaces) - 1;
   this->CommonFaces.Resize(newFaces);
   return proved && remaining + CountBits(item.Used) <= Coverage::SlotsPerItem;

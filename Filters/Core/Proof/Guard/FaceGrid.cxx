@@ -85,7 +85,7 @@ private:
 }
 
 FaceGrid::Nodes::Nodes()
-  : Chunks(std::make_unique<std::unique_ptr<Node[]>[]>(MostChunks))
+  : Chunks(std::make_unique<std::unique_ptr<Node[]>[]>(MaxChunks))
 {
 }
 

@@ -86,7 +86,7 @@ private:
 
   private:
     static constexpr Index OfChunk = 1 << 14;
-    static constexpr Index MostChunks = 1 << 17;
+    static constexpr Index MaxChunks = 1 << 17;
     std::mutex Mutex;
     std::unique_ptr<std::unique_ptr<Node[]>[]> Chunks;
     Index Count = 0;

@@ -12,12 +12,12 @@ namespace bonedecimate
 namespace
 {
 /// Least ratio of a gap to its initial width.
-constexpr double LeastGapRatio = 0.5;
+constexpr double MinGapRatio = 0.5;
 
 /// mm, at first, where the two stand; infinite if there was none.
 double GapOf(const GapRule& widths, const Piece& a, const Piece& b)
 {
-  const Gap both = a.LeastGap.And(b.LeastGap);
+  const Gap both = a.MinGap.And(b.MinGap);
   return widths.PartOf(a.Vertices[0]) == widths.PartOf(b.Vertices[0]) ? both.ToOwn : both.ToOther;
 }
 }
@@ -27,7 +27,7 @@ double ReachOf(const Gap& gap)
   double reach = 0.0;
   for (const float width : { gap.ToOwn, gap.ToOther })
   {
-    reach = std::isfinite(width) ? std::max<double>(reach, LeastGapRatio * width) : reach;
+    reach = std::isfinite(width) ? std::max<double>(reach, MinGapRatio * width) : reach;
   }
   return reach;
 }
@@ -38,7 +38,7 @@ bool IsTooNear(
 {
   const double gap = GapOf(widths, piece, near);
   const bool isOwn = widths.PartOf(piece.Vertices[0]) == widths.PartOf(near.Vertices[0]);
-  const double squared = LeastGapRatio * LeastGapRatio * gap * gap; // mm^2
+  const double squared = MinGapRatio * MinGapRatio * gap * gap; // mm^2
   if (!std::isfinite(gap) || SquaredDistance(piece, near) >= squared ||
     CountShared(piece, near) > 0)
   {

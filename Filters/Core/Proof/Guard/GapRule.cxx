@@ -62,10 +62,10 @@ GapRule::GapRule(const Surface& surface, double limit, int threads, const Monito
     });
 }
 
-double LeastFragmentGap(const Surface& surface)
+double MinFragmentGap(const Surface& surface)
 {
   const Components parts = FindComponents(surface);
-  return parts.Count > 1 ? PartTree(surface, parts).LeastFragmentGap()
+  return parts.Count > 1 ? PartTree(surface, parts).MinFragmentGap()
                          : std::numeric_limits<double>::infinity();
 }
 }

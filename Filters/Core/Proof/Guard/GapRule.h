@@ -44,7 +44,7 @@ public:
 
   Index PartOf(Index vertex) const { return this->Parts.OfPoint[vertex]; }
   const Gap& Of(Index vertex) const { return this->Widths[vertex]; }
-  Gap LeastOf(const Triangle& vertices) const
+  Gap MinOf(const Triangle& vertices) const
   {
     return this->Of(vertices[0]).And(this->Of(vertices[1])).And(this->Of(vertices[2]));
   }
@@ -61,7 +61,7 @@ private:
 };
 
 /// mm, the least distance between two fragments of a surface; infinite if there is one only.
-double LeastFragmentGap(const Surface& surface);
+double MinFragmentGap(const Surface& surface);
 }
 
 #endif

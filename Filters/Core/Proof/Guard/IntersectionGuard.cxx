@@ -13,7 +13,7 @@ namespace bonedecimate
 {
 namespace
 {
-double MostReach(const std::vector<Piece>& pieces) // mm
+double MaxReach(const std::vector<Piece>& pieces) // mm
 {
   double most = 0.0;
   for (const Piece& piece : pieces)
@@ -29,7 +29,7 @@ IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& su
   const Monitor& monitor)
   : Mesh(mesh)
   , Written(written)
-  , LeastCell(error)
+  , MinCell(error)
   , Widths(surface, guardsGaps ? ErrorsOfGap * error : 0.0, threads, monitor)
 {
 }
@@ -37,10 +37,10 @@ IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& su
 //------------------------------------------------------------------------------
 /// The least gap at the corners of a face, by their original vertices. A new vertex represents both
 /// vertices that were merged into it.
-Gap IntersectionGuard::LeastGapOf(
+Gap IntersectionGuard::MinGapOf(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& originals) const
 {
-  Gap least = this->Widths.LeastOf(originals);
+  Gap least = this->Widths.MinOf(originals);
   const bool isMoved = change.Moved != None &&
     std::find(originals.begin(), originals.end(), mesh.OriginalVertex(change.Moved)) !=
       originals.end();
@@ -57,8 +57,8 @@ Piece IntersectionGuard::PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& 
   const Triangle& vertices, const TriangleCorners& corners) const
 {
   Piece piece(mesh, vertices, corners);
-  piece.LeastGap = this->LeastGapOf(mesh, change, piece.Vertices);
-  piece.Reach = ReachOf(piece.LeastGap);
+  piece.MinGap = this->MinGapOf(mesh, change, piece.Vertices);
+  piece.Reach = ReachOf(piece.MinGap);
   return piece;
 }
 
@@ -108,10 +108,10 @@ void IntersectionGuard::FindNear(
   work.Near.clear();
   const std::vector<Index>& old = change.OldFaces;
   const double rounding = this->Written.Rounding();
-  const double reach = std::max(MostReach(work.New), MostReach(work.Old)) + rounding;
+  const double reach = std::max(MaxReach(work.New), MaxReach(work.Old)) + rounding;
   work.Reach = reach;
-  const Vector3 wholeLow = LeastOf(work.Old).cwiseMin(LeastOf(work.New)).array() - reach;
-  const Vector3 wholeHigh = MostOf(work.Old).cwiseMax(MostOf(work.New)).array() + reach;
+  const Vector3 wholeLow = MinOf(work.Old).cwiseMin(MinOf(work.New)).array() - reach;
+  const Vector3 wholeHigh = MaxOf(work.Old).cwiseMax(MaxOf(work.New)).array() + reach;
   this->Grid->AddFaces(
     work.Cells, FloatBox(TriangleCorners{ wholeLow, wholeHigh, wholeHigh }), work.Faces);
   std::sort(work.Faces.begin(), work.Faces.end());
@@ -190,7 +190,7 @@ void IntersectionGuard::BuildGrid()
   const std::lock_guard<std::mutex> lock(this->Building);
   if (!this->Grid)
   {
-    this->Grid = std::make_unique<FaceGrid>(this->Mesh, this->LeastCell);
+    this->Grid = std::make_unique<FaceGrid>(this->Mesh, this->MinCell);
   }
 }
 
@@ -246,7 +246,7 @@ bool IntersectionGuard::StillAccepts(
   const Pending& work = static_cast<const Pending&>(pending);
   return std::all_of(work.Near.begin(), work.Near.end(),
     [&](const Piece& near)
-    { return this->LeastGapOf(mesh, edit.Change, near.Vertices) == near.LeastGap; });
+    { return this->MinGapOf(mesh, edit.Change, near.Vertices) == near.MinGap; });
 }
 
 //------------------------------------------------------------------------------

@@ -77,7 +77,7 @@ private:
   bool Owns(
     const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, Pending& work) const;
   void BuildGrid();
-  Gap LeastGapOf(
+  Gap MinGapOf(
     const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& originals) const;
   Piece PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& vertices,
     const TriangleCorners& corners) const;
@@ -88,7 +88,7 @@ private:
 
   const HalfEdgeMesh& Mesh;
   WrittenPositions Written;
-  double LeastCell; // mm, of the grid
+  double MinCell; // mm, of the grid
   std::unique_ptr<FaceGrid> Grid;
   std::mutex Building; // of the grid
   GapRule Widths;

@@ -17,7 +17,7 @@ namespace
 {
 constexpr Index OfLeaf = 4; // triangles
 /// A little less than that of the largest angle across a gap.
-constexpr double SquaredCosine = 0.99 * LeastFacingCosine * LeastFacingCosine;
+constexpr double SquaredCosine = 0.99 * MinFacingCosine * MinFacingCosine;
 
 float Below(double x)
 {
@@ -82,8 +82,8 @@ void PartTree::FillLeaf(std::size_t leaf)
   Node& node = this->Nodes[this->Leaves + leaf];
   node.Low.fill(FloatInfinity);
   node.High.fill(-FloatInfinity);
-  node.LeastNormal = node.Low;
-  node.MostNormal = node.High;
+  node.MinNormal = node.Low;
+  node.MaxNormal = node.High;
   node.FirstPart = std::numeric_limits<Index>::max();
   node.LastPart = None;
   for (Index t = this->FirstOf(leaf); t < this->FirstOf(leaf + 1); ++t)
@@ -96,8 +96,8 @@ void PartTree::FillLeaf(std::size_t leaf)
       node.Low[axis] = std::min(node.Low[axis], Below(std::min({ p[0][at], p[1][at], p[2][at] })));
       node.High[axis] =
         std::max(node.High[axis], Above(std::max({ p[0][at], p[1][at], p[2][at] })));
-      node.LeastNormal[axis] = std::min(node.LeastNormal[axis], Below(normal[at]));
-      node.MostNormal[axis] = std::max(node.MostNormal[axis], Above(normal[at]));
+      node.MinNormal[axis] = std::min(node.MinNormal[axis], Below(normal[at]));
+      node.MaxNormal[axis] = std::max(node.MaxNormal[axis], Above(normal[at]));
     }
     node.FirstPart = std::min(node.FirstPart, this->PartOf(t));
     node.LastPart = std::max(node.LastPart, this->PartOf(t));
@@ -114,8 +114,8 @@ void PartTree::Join(std::size_t node)
   {
     both.Low[axis] = std::min(a.Low[axis], b.Low[axis]);
     both.High[axis] = std::max(a.High[axis], b.High[axis]);
-    both.LeastNormal[axis] = std::min(a.LeastNormal[axis], b.LeastNormal[axis]);
-    both.MostNormal[axis] = std::max(a.MostNormal[axis], b.MostNormal[axis]);
+    both.MinNormal[axis] = std::min(a.MinNormal[axis], b.MinNormal[axis]);
+    both.MaxNormal[axis] = std::max(a.MaxNormal[axis], b.MaxNormal[axis]);
   }
   both.FirstPart = std::min(a.FirstPart, b.FirstPart);
   both.LastPart = std::max(a.LastPart, b.LastPart);
@@ -213,7 +213,7 @@ bool PartTree::MayFace(
     const double n = normal[static_cast<Eigen::Index>(axis)];
     const double low = n * (node.Low[axis] - p[static_cast<Eigen::Index>(axis)]);
     const double high = n * (node.High[axis] - p[static_cast<Eigen::Index>(axis)]);
-    leastProduct += std::min(n * node.LeastNormal[axis], n * node.MostNormal[axis]);
+    leastProduct += std::min(n * node.MinNormal[axis], n * node.MaxNormal[axis]);
     least += std::min(low, high);
     most += std::max(low, high);
   }
@@ -255,7 +255,7 @@ double PartTree::ToFacing(Index point, const Vector3& normal, double limit) cons
 }
 
 //------------------------------------------------------------------------------
-double PartTree::LeastBetween(std::size_t leafA, std::size_t leafB, double squaredLimit) const
+double PartTree::MinBetween(std::size_t leafA, std::size_t leafB, double squaredLimit) const
 {
   for (Index a = this->FirstOf(leafA); a < this->FirstOf(leafA + 1); ++a)
   {
@@ -275,7 +275,7 @@ double PartTree::LeastBetween(std::size_t leafA, std::size_t leafB, double squar
 }
 
 //------------------------------------------------------------------------------
-double PartTree::LeastFragmentGap() const
+double PartTree::MinFragmentGap() const
 {
   double squared = Infinity;
   std::vector<std::array<std::size_t, 2>> open = { { 1, 1 } };
@@ -292,7 +292,7 @@ double PartTree::LeastFragmentGap() const
     }
     if (a >= this->Leaves)
     {
-      squared = this->LeastBetween(a - this->Leaves, b - this->Leaves, squared);
+      squared = this->MinBetween(a - this->Leaves, b - this->Leaves, squared);
       continue;
     }
     std::array<std::array<std::size_t, 2>, 4> pairs = { { { 2 * a, 2 * b }, { 2 * a, 2 * b + 1 },

@@ -23,12 +23,12 @@
 namespace bonedecimate
 {
 /// Cosine of the largest angle between a normal and the way across a gap.
-constexpr double LeastFacingCosine = 0.7;
+constexpr double MinFacingCosine = 0.7;
 
 /// Whether two points with these unit normals face each other across the vector between them (mm).
 inline bool Face(const Vector3& normalA, const Vector3& normalB, const Vector3& way)
 {
-  const double least = LeastFacingCosine * way.norm();
+  const double least = MinFacingCosine * way.norm();
   const double alongA = Dot(normalA, way);
   const double alongB = Dot(normalB, way);
   return Dot(normalA, normalB) < 0.0 &&
@@ -49,13 +49,13 @@ public:
   double ToFacing(Index point, const Vector3& normal, double limit) const;
 
   /// mm, the least distance between two fragments; infinite if there is one only.
-  double LeastFragmentGap() const;
+  double MinFragmentGap() const;
 
 private:
   struct Node
   {
-    std::array<float, 3> Low, High;               // mm, a little too large
-    std::array<float, 3> LeastNormal, MostNormal; // of unit normals, a little too large
+    std::array<float, 3> Low, High;            // mm, a little too large
+    std::array<float, 3> MinNormal, MaxNormal; // of unit normals, a little too large
     Index FirstPart, LastPart;
   };
   class Boxes;
@@ -72,7 +72,7 @@ private:
   template <typename Wants, typename Visit>
   void Walk(
     const Vector3& p, const double& squaredLimit, const Wants& wants, const Visit& visit) const;
-  double LeastBetween(std::size_t leafA, std::size_t leafB, double squaredLimit) const;
+  double MinBetween(std::size_t leafA, std::size_t leafB, double squaredLimit) const;
 
   const Surface& Source;
   const Components& Parts;

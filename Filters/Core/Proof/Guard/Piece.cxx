@@ -180,7 +180,7 @@ int CountShared(const Piece& a, const Piece& b)
 }
 
 //------------------------------------------------------------------------------
-Vector3 LeastOf(const std::vector<Piece>& pieces)
+Vector3 MinOf(const std::vector<Piece>& pieces)
 {
   Vector3 low = pieces[0].Low;
   for (const Piece& piece : pieces)
@@ -190,7 +190,7 @@ Vector3 LeastOf(const std::vector<Piece>& pieces)
   return low;
 }
 //------------------------------------------------------------------------------
-Vector3 MostOf(const std::vector<Piece>& pieces)
+Vector3 MaxOf(const std::vector<Piece>& pieces)
 {
   Vector3 high = pieces[0].High;
   for (const Piece& piece : pieces)
@@ -230,8 +230,8 @@ bool MeetMore(std::vector<Piece>& before, std::vector<Piece>& after, std::vector
 bool JumpOver(
   const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
 {
-  const Vector3 low = LeastOf(before).cwiseMin(LeastOf(after));
-  const Vector3 high = MostOf(before).cwiseMax(MostOf(after));
+  const Vector3 low = MinOf(before).cwiseMin(MinOf(after));
+  const Vector3 high = MaxOf(before).cwiseMax(MaxOf(after));
   const double size = (high - low).sum();
   const auto isOfPatch = [&](Index vertex)
   {

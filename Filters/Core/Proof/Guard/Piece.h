@@ -31,7 +31,7 @@ struct Piece : PlaneTriangle
 
   Triangle Vertices;                    // their original vertices
   Vector3 Low, High;                    // mm, its box
-  bonedecimate::Gap LeastGap;           // of its corners
+  bonedecimate::Gap MinGap;             // of its corners
   double Reach = 0.0;                   // mm, how far from it gaps have to be looked after
   std::optional<PlaneTriangle> Written; // where it will be written; looked up by MeetMore
 
@@ -50,8 +50,8 @@ double SquaredDistance(const Piece& a, const Piece& b);
 int CountShared(const Piece& a, const Piece& b);
 
 /// mm, the corners of the box around all of them; there is one at least.
-Vector3 LeastOf(const std::vector<Piece>& pieces);
-Vector3 MostOf(const std::vector<Piece>& pieces);
+Vector3 MinOf(const std::vector<Piece>& pieces);
+Vector3 MaxOf(const std::vector<Piece>& pieces);
 
 /// Whether they intersect where they will be written.
 bool Meet(Piece& a, Piece& b, const WrittenPositions& written);

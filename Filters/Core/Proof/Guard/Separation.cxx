@@ -19,7 +19,7 @@ namespace
 /// Ranges of triangles that are not longer are looked at together, however far apart these are.
 constexpr Index Few = 4;
 /// Triangles that are looked at around one; if there are more, the distance is only known to be that of the farthest of these at least.
-constexpr std::ptrdiff_t MostNear = 500;
+constexpr std::ptrdiff_t MaxNear = 500;
 
 /// Triangles that are added one after the other: whether they are a disk.
 class GrowingPatch
@@ -244,9 +244,9 @@ private:
       [&](const Boxed& one) {
         return Neighbor{ box.DistanceTo(one.Box), one.Face };
       });
-    if (neighbors.size() > static_cast<std::size_t>(MostNear))
+    if (neighbors.size() > static_cast<std::size_t>(MaxNear))
     {
-      const auto end = neighbors.begin() + MostNear;
+      const auto end = neighbors.begin() + MaxNear;
       std::nth_element(neighbors.begin(), end, neighbors.end());
       limit = end->Distance;
       neighbors.erase(end, neighbors.end());

@@ -13,7 +13,7 @@ namespace bonedecimate
 namespace
 {
 /// Back from a pair of faces to one of the mesh at first.
-constexpr int MostSteps = 1000;
+constexpr int MaxSteps = 1000;
 }
 
 StateCheck::StateCheck(const HalfEdgeMesh& mesh, const GapRule& widths,
@@ -114,7 +114,7 @@ bool StateCheck::IsBad(FaceId face, Piece& piece, FaceId other, Piece& near) con
   {
     return true;
   }
-  int left = MostSteps;
+  int left = MaxSteps;
   return IsTooNear(this->Widths, piece, near, {}) &&
     !this->WasAsNear(this->VersionOf(face), this->VersionOf(other), left);
 }
@@ -153,8 +153,8 @@ bool StateCheck::WasAsNear(const FaceVersion& one, const FaceVersion& other, int
 Piece StateCheck::PieceOf(FaceId face) const
 {
   Piece piece(this->Mesh, this->Mesh.Corners(face), PositionsOf(this->Mesh, face));
-  piece.LeastGap = this->Widths.LeastOf(piece.Vertices);
-  piece.Reach = ReachOf(piece.LeastGap);
+  piece.MinGap = this->Widths.MinOf(piece.Vertices);
+  piece.Reach = ReachOf(piece.MinGap);
   return piece;
 }
 

@@ -22,7 +22,7 @@ WrittenPositions::WrittenPositions(
   }
   // Local and written coordinates, and those between, are not larger than twice that.
   const double ofSingle = rounding.ToSingle ? std::numeric_limits<float>::epsilon() : 0.0;
-  this->MostRounding =
+  this->MaxRounding =
     (4.0 * std::numeric_limits<double>::epsilon() + ofSingle) * (farthest + error) +
     0.5 * rounding.GridStep;
 }

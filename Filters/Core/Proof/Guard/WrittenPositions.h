@@ -28,13 +28,13 @@ public:
 
   Vector3 Of(VertexId vertex, const Vector3& local) const;
   /// mm, the most by which the difference of two coordinates written differs from that of the local ones, exactly subtracted.
-  double Rounding() const { return 2.0 * this->MostRounding; }
+  double Rounding() const { return 2.0 * this->MaxRounding; }
 
 private:
   const Surface* Input = nullptr;
   const CleanSurface* Clean = nullptr;
   PointRounding Rounds = {};
-  double MostRounding = 0.0; // mm, of one coordinate
+  double MaxRounding = 0.0; // mm, of one coordinate
 };
 }
 

@@ -25,7 +25,8 @@ public:
   {
   }
 
-  /// mm, from a point to the first triangle through which the line leaves the solid; infinite: none.
+  /// mm, from a point to the first triangle through which the line
+  /// leaves the solid; infinite: none.
   double LengthFrom(const Vector3& from) const
   {
     double length = Infinity;
@@ -67,7 +68,8 @@ private:
     return { points[c[0]], points[c[1]], points[c[2]] };
   }
 
-  /// Positive where the direction leads out of the solid, negative where it leads into it, 0 where it does neither.
+  /// Positive where the direction leads out of the solid, negative where it leads
+  /// into it, 0 where it does neither.
   double Outwards(Index triangle) const
   {
     const PartSides sides =
@@ -81,8 +83,8 @@ private:
     return sides[0] == this->Solid ? along : -along;
   }
 
-  /// mm along the direction; infinite if the line does not meet the triangle, which is a little larger here so that no line
-  /// passes between two of them.
+  /// mm along the direction; infinite if the line does not meet the triangle, which is a little
+  /// larger here so that no line passes between two of them.
   double DistanceTo(Index triangle, const Vector3& from) const
   {
     constexpr double beside = -1e-9;

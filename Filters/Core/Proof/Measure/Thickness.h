@@ -4,8 +4,8 @@
  * @file Thickness.h
  * @brief The thickness of a part before and after, along the same directions.
  *
- *     direction      from a sample of the result against the normal of its triangle, because the normals of a staircase are
- *                    far off
+ *     direction      from a sample of the result against the normal of its triangle, because the
+ *                    normals of a staircase are far off
  *     after          from the sample to the first triangle through which the line leaves the part
  *     before         the same from the nearest point at which the line may enter the input
  *

@@ -22,12 +22,14 @@ class Original
 public:
   /**
    * @param clean Must outlive this.
-   * @param recordDistances Whether Merge measures the distance of each new vertex; otherwise there are no errors.
+   * @param recordDistances Whether Merge measures the distance of each new vertex;
+   * otherwise there are no errors.
    */
   Original(const CleanSurface& clean, bool recordDistances);
   Original(CleanSurface&&, bool) = delete;
 
-  /// Records that two vertices became one. Measures its distance if distances are recorded and it has moved.
+  /// Records that two vertices became one. Measures its distance if distances
+  /// are recorded and it has moved.
   void Merge(VertexId keep, VertexId gone, const Vector3& position);
 
   /// Takes back the last merge into the other vertex; not where distances are recorded.
@@ -36,7 +38,8 @@ public:
   /// To be called before the first split: from then on ids of removed vertices may be reused, each
   /// for one vertex.
   void BeginSplits();
-  /// Records that the split of an edge with those ends made a vertex. Measures its distance if distances are recorded.
+  /// Records that the split of an edge with those ends made a vertex. Measures its
+  /// distance if distances are recorded.
   void Make(VertexId made, VertexId start, VertexId end, const Vector3& position);
 
   /// Measures the distances of moved vertices if distances are recorded.
@@ -54,12 +57,13 @@ public:
   std::vector<Index> CurrentVertices() const;
 
   bool RecordsDistances() const { return !this->Errors.empty(); }
-  /// mm, the largest distance recorded along the collapses into the vertex; only where distances are recorded.
+  /// mm, the largest distance recorded along the collapses into the vertex;
+  /// only where distances are recorded.
   double RunningError(VertexId vertex) const
   {
     return this->Errors[static_cast<std::size_t>(vertex)];
   }
-  double LargestError() const { return this->Largest; } ///< mm; maxError of the thesis.
+  double MaxError() const { return this->Largest; } ///< mm; maxError of the thesis.
 
   /// For each point of the original surface, a triangle at it.
   std::vector<Index> TrianglesAtPoints() const;
@@ -73,8 +77,8 @@ private:
   const CleanSurface& Clean;
   mutable std::once_flag TreeIsBuilt;
   mutable std::optional<BoundingTree> Triangles;
-  std::vector<Index>
-    AtSplits; // for each vertex the one into which it was merged before the first split; empty: none yet
+  // for each vertex the one into which it was merged before the first split; empty: none yet
+  std::vector<Index> AtSplits;
   LargeArray<Index> MergedInto; // since then; the vertex itself while it exists
   std::vector<Index> Nearest;   // for each vertex, if distances are recorded
   std::vector<double> Errors;   // mm, for each vertex, if distances are recorded

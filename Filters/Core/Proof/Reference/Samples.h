@@ -4,11 +4,13 @@
  * @file Samples.h
  * @brief Sample points of the original surface, assigned to the faces of the current mesh.
  *
- * Each face of the current mesh has a list of the samples nearest to it. The lists are not maintained during the collapse.
- * Afterwards each sample starts in the fan of the vertex into which a corner of its triangle was merged, and walks over
- * neighboring faces while its distance decreases:
+ * Each face of the current mesh has a list of the samples nearest to it. The lists are
+ * not maintained during the collapse. Afterwards each sample starts in the fan of the
+ * vertex into which a corner of its triangle was merged, and walks over neighboring
+ * faces while its distance decreases:
  *
- *     Distribute     builds all lists after a collapse; samples that end far away try the fans of other corners
+ *     Distribute     builds all lists after a collapse; samples that end far
+ *                    away try the fans of other corners
  *     Settle         every sample walks on from its face
  *     Take, Put      an edit reassigns the samples of the faces it changed
  */
@@ -29,16 +31,16 @@ class Samples
 public:
   struct Sample
   {
-    std::array<float, 3>
-      Position; ///< From the local origin, units of the mesh, so that single precision suits any scale.
+    /// From the local origin, units of the mesh, so that single precision suits any scale.
+    std::array<float, 3> Position;
     float Weight; ///< The area it represents, squares of that unit.
     float Limit;  ///< mm, how far the result may be from it; infinite without an error bound.
     Index Next;   ///< In the list of its face.
   };
 
   /// @param original The mesh before the first collapse; must outlive this.
-  /// @param mayBeThree Take three samples in each triangle if many faces remain. False: always one, which suffices where
-  ///   every edit is proved.
+  /// @param mayBeThree Take three samples in each triangle if many faces remain. False: always one,
+  ///   which suffices where every edit is proved.
   /// @param limits mm, of each vertex: how far the result may be from it. Empty: infinite.
   /// @param shapeWeight What Spread() says.
   explicit Samples(const HalfEdgeMesh& original, bool mayBeThree = true,
@@ -69,7 +71,8 @@ public:
 
   Index Count() const { return static_cast<Index>(this->All.size()); }
 
-  /// Empties the list of the face and returns its first sample. The caller has to put each sample into a list again.
+  /// Empties the list of the face and returns its first sample. The caller has to put
+  /// each sample into a list again.
   Index Take(FaceId face)
   {
     const Index first = this->Firsts[face];
@@ -92,7 +95,7 @@ public:
   }
 
   /// mm, of the finite limits; little more than 0 without any.
-  float LargestLimit() const { return this->Largest; }
+  float MaxLimit() const { return this->Largest; }
 
 private:
   using CurrentVertices = std::vector<Index>; // of each original vertex

@@ -71,7 +71,8 @@ public:
       this->Edges.count(Key(to, from)) == 0;
   }
 
-  /// The boundary edge behind from-to of a triangle, around the point "to"; nothing at a non-manifold edge.
+  /// The boundary edge behind from-to of a triangle, around the point "to";
+  /// nothing at a non-manifold edge.
   /// @param triangle Becomes that of the edge.
   std::optional<Index> Next(Index to, std::size_t& triangle) const
   {

@@ -33,13 +33,15 @@ struct BoundaryLoops
   std::set<PointPair> Chords;      ///< Other edges of the surface between two points of loops.
 };
 
-/// Points of equal coordinates are one. Triangles with an id out of range or two equal corners do not count.
+/// Points of equal coordinates are one. Triangles with an id out of range or
+/// two equal corners do not count.
 BoundaryLoops FindBoundaryLoops(const Surface& surface);
 
 /**
- * Loops at planes where the surface ends: within a distance of its points, a loop lies in the plane and all other points lie on
- * its inner side. Loops of the same plane belong together, as the outer and the inner boundary of a cut shaft do. A
- * loop of three points lies in a plane always, and counts only beside a larger one.
+ * Loops at planes where the surface ends: within a distance of its points, a loop lies in the plane
+ * and all other points lie on its inner side. Loops of the same plane belong together, as the outer
+ * and the inner boundary of a cut shaft do. A loop of three points lies in a plane always, and
+ * counts only beside a larger one.
  * @param tolerance mm
  * @returns Indices of loops, a list per plane, the largest loop of each first.
  */

@@ -18,11 +18,12 @@ namespace bonedecimate
 struct Contours
 {
   std::vector<Vector3> Points; ///< mm
-  std::vector<Index> Starts;   ///< Of each contour its first point, and the number of points.
-  Vector3 Normal; ///< Of length 1; outlines are counter-clockwise around it, holes clockwise.
+  std::vector<Index> Starts;   ///< The first point of each contour, and the number of points.
+  Vector3 Normal; ///< Unit vector; outlines are counter-clockwise around it, holes clockwise.
 };
 
-/// Triangles between the points of contours, as vtkContourTriangulator makes them; none if it cannot.
+/// Triangles between the points of contours, as vtkContourTriangulator
+/// makes them; none if it cannot.
 using ContourTriangulator = std::function<std::vector<Triangle>(const Contours&)>;
 
 /// A connected piece with the loops that it closes.
@@ -33,8 +34,9 @@ struct Cap
 };
 
 /**
- * Fills loops as outlines and holes, seen along the sum of their areas. Each edge of a loop gets one triangle, each other edge of a
- * cap two. Where such an edge would be one of the surface, it is split in the middle.
+ * Fills loops as outlines and holes, seen along the sum of their areas. Each edge of a loop
+ * gets one triangle, each other edge of a cap two. Where such an edge would be one of the
+ * surface, it is split in the middle.
  * @param surface Points takes the new points.
  * @param found Added takes their ends, Chords the edges of the caps.
  * @param group Indices of loops. Those that cannot be filled are in no cap.

@@ -8,7 +8,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// mm^2, the area, and a little more for a long perimeter; infinite for three points about on a line.
+/// mm^2, the area, and a little more for a long perimeter; infinite
+/// for three points about on a line.
 double CostOf(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   constexpr double flat = 1e-6;      // of the squared perimeter
@@ -48,7 +49,7 @@ public:
   }
 
 private:
-  /// Of the part of the contour from one point to another, closed by the edge between them.
+  /// The part of the contour from one point to another, closed by the edge between them.
   struct Part
   {
     double Area = 0.0; // mm^2, the cost
@@ -103,7 +104,7 @@ private:
 std::vector<Triangle> FillByLeastArea(
   const std::vector<Vector3>& contour, const std::function<bool(Index, Index)>& isAllowed)
 {
-  if (contour.size() < 3 || contour.size() > MostPointsOfLeastArea)
+  if (contour.size() < 3 || contour.size() > MaxPointsOfLeastArea)
   {
     return {};
   }

@@ -5,12 +5,14 @@
  * @brief Reports defects of a surface as data: kind, count, first ids. Changes and repairs nothing.
  *
  *     points:      not finite, too large, used by no triangle
- *     triangles:   point ids out of range, repeated corner, no area, duplicate (same or opposite orientation)
+ *     triangles:   point ids out of range, repeated corner, no area, duplicate
+ *                  (same or opposite orientation)
  *     after merging equal points (Cleaning.h) and without triangles that have no area:
  *       edges:     boundary, three or more triangles, inconsistent orientation
  *       vertices:  the triangles do not form one fan
  *       gaps:      boundary points very near to another boundary, which welding would close
- *     surface:     closed components that are inside out, components; a size that is unusual for a bone in mm
+ *     surface:     closed components that are inside out, components; a size
+ *                  that is unusual for a bone in mm
  */
 #ifndef BoneDecimate_Core_Repair_Diagnostics_Diagnostics_h
 #define BoneDecimate_Core_Repair_Diagnostics_Diagnostics_h
@@ -34,7 +36,8 @@ enum class DiagnosticKind : int
   Duplicates,      ///< Triangles with the corners and orientation of an earlier one.
   Opposites,       ///< Triangles with the corners of an earlier one and the opposite orientation.
   UnusedPoints,
-  EqualPoints, ///< Points with the coordinates of an earlier one, as in a surface of unconnected triangles.
+  /// Points with the coordinates of an earlier one, as in a surface of unconnected triangles.
+  EqualPoints,
   NonManifoldEdges,
   InconsistentEdges, ///< Edges of two triangles of different orientation.
   PinchedPoints,     ///< Points that are not manifold although all their edges are.
@@ -50,8 +53,8 @@ struct Diagnostic
 {
   DiagnosticKind Kind;
   std::int64_t Count = 0;
-  std::vector<Index>
-    First = {}; ///< Ids of the input, ascending: at most FirstDiagnostics points or triangles, see DiagnosticInfo.
+  /// Ids of the input, ascending: at most FirstDiagnostics points or triangles, see DiagnosticInfo.
+  std::vector<Index> First = {};
   double Length = std::numeric_limits<double>::quiet_NaN(); ///< mm, where the kind has one
 };
 constexpr std::size_t FirstDiagnostics = 8;
@@ -81,8 +84,8 @@ const std::string& DiagnosticSentence(const Diagnostic& diagnostic);
 /// One word: "rejected".
 const char* SeverityWord(Severity severity);
 
-/// The diagnostics found, in the order of the kinds; components are always included. Stops after the first kind with which
-/// the input is rejected.
+/// The diagnostics found, in the order of the kinds; components are always included. Stops after
+/// the first kind with which the input is rejected.
 std::vector<Diagnostic> Diagnose(const Surface& surface, int threads = 0);
 }
 

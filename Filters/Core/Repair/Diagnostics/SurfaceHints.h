@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceHints.h
- * @brief What makes a surface hard to simplify, with a remedy: a double-sided surface, nearly equal points, one that is inside out.
+ * @brief What makes a surface hard to simplify, with a remedy: a double-sided surface, nearly equal
+ * points, one that is inside out.
  */
 #ifndef BoneDecimate_Core_Repair_Diagnostics_SurfaceHints_h
 #define BoneDecimate_Core_Repair_Diagnostics_SurfaceHints_h
@@ -27,8 +28,8 @@ struct CountsOfInput
 };
 
 /**
- * A sentence for each. The diagnostics, which take time, are run only if the counts tell that most of the surface is not manifold or
- * not connected, or that it is closed and its volume negative.
+ * A sentence for each. The diagnostics, which take time, are run only if the counts tell that most
+ * of the surface is not manifold or not connected, or that it is closed and its volume negative.
  * @param surface Of the same run, before cleaning.
  */
 std::vector<std::string> SurfaceHints(

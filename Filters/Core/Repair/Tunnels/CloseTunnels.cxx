@@ -46,7 +46,7 @@ struct Remaining
   std::vector<Index> Ids; // of the triangles in the plugged surface
 };
 
-/// Of each point the sum over its triangles, each with twice its area.
+/// The sum of the triangle normals at each point, each weighted by twice its area.
 std::vector<Vector3> NormalsOf(const Surface& surface)
 {
   std::vector<Vector3> normals(surface.Points.size(), Vector3::Zero());
@@ -74,7 +74,7 @@ public:
     {
       return false;
     }
-    if (this->Size == MostAtATime)
+    if (this->Size == MaxAtATime)
     {
       this->Size = 0;
       this->Last = {};
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  static constexpr int MostAtATime = 48; // of 64 words: few are dependent by chance
+  static constexpr int MaxAtATime = 48; // of 64 words: few are dependent by chance
   std::set<std::uint64_t> Seen;
   WordBasis Last;
   int Size = 0;
@@ -183,7 +183,8 @@ private:
     return this->Figures.Closed.size() > before;
   }
 
-  /// By the normals along the loop: the mean of their part towards the middle, weighted by length and distance.
+  /// By the normals along the loop: the mean of their part towards the middle,
+  /// weighted by length and distance.
   Surrounded Surrounds(const ShortLoop& loop, const std::vector<Vector3>& normals) const
   {
     constexpr double clear = 0.25;
@@ -307,8 +308,8 @@ private:
         replaced.Triangles.push_back(this->Plugged.Whole.Triangles[t]);
       }
     }
-    return std::max(LargestDistanceTo(this->Plugged.Tree, plugs),
-      LargestDistanceTo(BoundingTree(plugs, this->Threads), replaced));
+    return std::max(MaxDistanceTo(this->Plugged.Tree, plugs),
+      MaxDistanceTo(BoundingTree(plugs, this->Threads), replaced));
   }
 
   struct KeptState

@@ -27,7 +27,7 @@ struct Lists
   std::vector<Index> Items;
 };
 
-/// Of each face and boundary its edges.
+/// The edges of each face and boundary.
 Lists EdgesOfSides(const std::vector<GraphEdge>& edges, std::size_t sides)
 {
   Lists lists;

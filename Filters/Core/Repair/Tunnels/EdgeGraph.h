@@ -2,18 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeGraph.h
- * @brief The edges of a manifold surface as a graph, with a word for each from which the homology of a loop follows.
+ * @brief The edges of a manifold surface as a graph, with a word for each from which
+ * the homology of a loop follows.
  *
  *     tree:       a spanning tree of the points of each component
- *     cotree:     a spanning tree of the faces, across edges that are not in the tree; each boundary counts as one more face
- *     leftover:   the edges in neither, 2 for each handle; with the cotree each closes a loop of faces, its dual loop
- *     signature:  of each edge the exclusive or of the random words of all leftover edges whose dual loop crosses it
+ *     cotree:     a spanning tree of the faces, across edges that are not in the tree; each
+ *                 boundary counts as one more face
+ *     leftover:   the edges in neither, 2 for each handle; with the cotree each closes
+ *                 a loop of faces, its dual loop
+ *     signature:  of each edge the exclusive or of the random words of all leftover
+ *                 edges whose dual loop crosses it
  *
- * The exclusive or of the signatures along a closed loop is 0 if the loop divides the surface, and otherwise not, up to
- * 2^-64: the dual loops are a basis of the homology with coefficients 0 and 1.
+ * The exclusive or of the signatures along a closed loop is 0 if the loop divides the surface, and
+ * otherwise not, up to 2^-64: the dual loops are a basis of the homology with coefficients 0 and 1.
  *
  * D. Eppstein, Dynamic generators of topologically embedded graphs, 2003: tree and cotree.
- * J. Erickson, K. Whittlesey, Greedy optimal homotopy and homology generators, 2005: short loops from them.
+ * J. Erickson, K. Whittlesey, Greedy optimal homotopy and homology generators, 2005: short loops.
  */
 #ifndef BoneDecimate_Core_Repair_Tunnels_EdgeGraph_h
 #define BoneDecimate_Core_Repair_Tunnels_EdgeGraph_h
@@ -39,18 +43,19 @@ struct GraphEdge
 struct GraphSpoke
 {
   Index To;   ///< Point.
-  Index Edge; ///< Of Edges().
+  Index Edge; ///< Index into Edges().
 };
 
 class EdgeGraph
 {
 public:
-  /// @param surface Manifold, with or without boundary; points that no triangle uses are allowed. Must outlive this.
+  /// @param surface Manifold, with or without boundary; points that no triangle uses
+  /// are allowed. Must outlive this.
   explicit EdgeGraph(const Surface& surface, int threads);
 
   const std::vector<GraphEdge>& Edges() const { return this->EdgeList; }
   std::int64_t Components() const { return this->NumberOfComponents; }
-  /// Of all components together; boundaries count as closed.
+  /// Sum of the genera of all components; boundaries count as closed.
   std::int64_t Genus() const { return this->NumberOfLeftovers / 2; }
 
   const GraphSpoke* Begin(Index point) const

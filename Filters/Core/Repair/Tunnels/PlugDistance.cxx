@@ -35,7 +35,7 @@ struct PlugPiece
 };
 }
 
-double LargestDistanceTo(const BoundingTree& surface, const Surface& triangles)
+double MaxDistanceTo(const BoundingTree& surface, const Surface& triangles)
 {
   constexpr double excess = 1.02;
   constexpr double least = 0.01;         // of the largest radius

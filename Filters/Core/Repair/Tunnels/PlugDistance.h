@@ -12,12 +12,12 @@
 namespace bonedecimate
 {
 /**
- * The triangles are divided where their bound is largest: at the centroid of a piece the distance is known, and at its other points it
- * is larger by at most the distance from there.
- * @return mm, an upper bound of the largest distance of a point of the triangles to the surface; too large by at most 2 % and a
- *   hundredth of the largest triangle's radius. 0 without triangles.
+ * The triangles are divided where their bound is largest: at the centroid of a piece the distance
+ * is known, and at its other points it is larger by at most the distance from there.
+ * @return mm, an upper bound of the largest distance of a point of the triangles to the surface;
+ *   too large by at most 2 % and a hundredth of the largest triangle's radius. 0 without triangles.
  */
-double LargestDistanceTo(const BoundingTree& surface, const Surface& triangles);
+double MaxDistanceTo(const BoundingTree& surface, const Surface& triangles);
 }
 
 #endif

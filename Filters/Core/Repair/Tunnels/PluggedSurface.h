@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PluggedSurface.h
- * @brief A surface while its tunnels are closed. Triangles keep their ids; those of plugs are appended.
+ * @brief A surface while its tunnels are closed. Triangles keep their
+ * ids; those of plugs are appended.
  */
 #ifndef BoneDecimate_Core_Repair_Tunnels_PluggedSurface_h
 #define BoneDecimate_Core_Repair_Tunnels_PluggedSurface_h
@@ -17,8 +18,9 @@ namespace bonedecimate
 /// What may not be removed.
 struct TunnelConstraints
 {
-  std::vector<char> IsFixed; ///< Of each point: its triangles stay.
-  std::vector<Index> Labels; ///< Of each triangle; a plug has one label. Empty: no labels.
+  std::vector<char> IsFixed; ///< Whether the triangles at a point stay.
+  /// One label for each triangle; a plug has one label. Empty: no labels.
+  std::vector<Index> Labels;
 };
 
 struct PluggedSurface
@@ -39,8 +41,8 @@ struct PluggedSurface
   Surface Whole; ///< With the removed triangles.
   std::vector<char> IsRemoved;
   std::vector<Index> Replaced; ///< For each appended triangle one of those that it replaces.
-  std::size_t NumberAtFirst;   ///< Of triangles.
-  BoundingTree Tree;           ///< Of the triangles at first.
+  std::size_t NumberAtFirst;   ///< Number of triangles before any plug.
+  BoundingTree Tree;           ///< Bounding tree of those triangles.
 };
 }
 

@@ -17,7 +17,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// The search from one seed. Its memory is in proportion to the surface, so it is used for many seeds.
+/// The search from one seed. Its memory is in proportion to the
+/// surface, so it is used for many seeds.
 class LoopSearch
 {
 public:
@@ -105,7 +106,7 @@ private:
   {
     const auto same = std::find_if(this->Closings.begin(), this->Closings.end(),
       [&closing](const Closing& kept) { return kept.Signature == closing.Signature; });
-    if (same == this->Closings.end() && this->Closings.size() < MostLoopsOfSeed)
+    if (same == this->Closings.end() && this->Closings.size() < MaxLoopsOfSeed)
     {
       this->Closings.push_back(closing);
       return;

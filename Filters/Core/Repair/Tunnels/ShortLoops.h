@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShortLoops.h
- * @brief Short closed loops along edges that do not divide the surface: around tunnels, and around struts.
+ * @brief Short closed loops along edges that do not divide the surface:
+ * around tunnels, and around struts.
  *
  *     seeds      points that cover all edges with a signature: every loop in question passes one
- *     for each   shortest paths to all points within half of the length (Dijkstra), with the signature of each path
- *                an edge between two of these points closes a loop; the shortest of each signature is kept, at most
- *                MostLoopsOfSeed
+ *     for each   shortest paths to all points within half of the length (Dijkstra), with the
+ *                signature of each path
+ *                an edge between two of these points closes a loop; the shortest of each signature
+ *                is kept, at most MaxLoopsOfSeed
  *
- * I. Guskov, Z. Wood, Topological noise removal, 2001, and Z. Wood, H. Hoppe, M. Desbrun, P. Schroeder, Removing excess
- * topology from isosurfaces, 2004: tunnels by their shortest loops.
+ * I. Guskov, Z. Wood, Topological noise removal, 2001, and Z. Wood, H. Hoppe, M. Desbrun, P.
+ * Schroeder, Removing excess topology from isosurfaces, 2004: tunnels by their shortest loops.
  */
 #ifndef BoneDecimate_Core_Repair_Tunnels_ShortLoops_h
 #define BoneDecimate_Core_Repair_Tunnels_ShortLoops_h
@@ -24,7 +26,7 @@
 namespace bonedecimate
 {
 /// So that memory stays small where a great length lets every seed reach all handles.
-constexpr std::size_t MostLoopsOfSeed = 32;
+constexpr std::size_t MaxLoopsOfSeed = 32;
 
 struct ShortLoop
 {
@@ -35,9 +37,9 @@ struct ShortLoop
 
 /**
  * @param longest mm, of a loop.
- * @returns Simple loops, the shortest first, each once. For every loop in question that is not longer, there is one of the same
- *   signature that is not longer, unless its seed has too many shorter ones. Does not depend on the number of threads. Incomplete
- *   after an abort.
+ * @returns Simple loops, the shortest first, each once. For every loop in question that is not
+ *   longer, there is one of the same signature that is not longer, unless its seed has too many
+ *   shorter ones. Does not depend on the number of threads. Incomplete after an abort.
  */
 std::vector<ShortLoop> FindShortLoops(
   const EdgeGraph& graph, std::size_t points, double longest, int threads, const Monitor& monitor);

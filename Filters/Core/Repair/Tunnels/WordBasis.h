@@ -33,7 +33,8 @@ public:
   }
 
 private:
-  /// The word, or its exclusive or with words of the basis that has none of their highest bits; 0 if it depends on them.
+  /// The word, or its exclusive or with words of the basis that has none of their highest
+  /// bits; 0 if it depends on them.
   std::uint64_t Reduce(std::uint64_t word) const
   {
     for (std::size_t bit = 64; bit-- > 0;)

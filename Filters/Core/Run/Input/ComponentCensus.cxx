@@ -164,7 +164,8 @@ void ForEachGroup(std::vector<T>& elements, const KeyOf& keyOf, const Visit& vis
   }
 }
 
-/// Adds a component of a part to the whole one.  @param high Corner of its box; Center has the low one until all are there.
+/// Adds a component of a part to the whole one.  @param high Corner of its box; Center has
+/// the low one until all are there.
 void Add(const CensusOfPart::Component& part, PrunedComponent& whole, Vector3& high)
 {
   whole.Triangles += part.Triangles;

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ComponentCensus.h
- * @brief Number of triangles, box, area and volume of each component, also of surfaces of which several runs have a part each.
+ * @brief Number of triangles, box, area and volume of each component, also of surfaces of which
+ * several runs have a part each.
  *
- *     part      components connected by common points, each with its figures, and where it has points and edges that other
- *               parts may have, too (shared positions)
- *     joined    components of several parts with a common position are one; an edge of two parts closes both if it has two
- *               triangles of opposite directions
+ *     part      components connected by common points, each with its figures, and where it has
+ *               points and edges that other parts may have, too (shared positions)
+ *     joined    components of several parts with a common position are one; an edge of two parts
+ *               closes both if it has two triangles of opposite directions
  */
 #ifndef BoneDecimate_Core_Run_Input_ComponentCensus_h
 #define BoneDecimate_Core_Run_Input_ComponentCensus_h
@@ -34,7 +35,7 @@ struct CensusOfPart
     bool IsOpen = false;       ///< Whether an edge that no other part can have has no twin.
     std::array<double, 6> Box; ///< mm from the origin, the low corner and the high one.
   };
-  std::vector<Index> OfTriangle; ///< Of each cleaned triangle.
+  std::vector<Index> OfTriangle; ///< The component of each cleaned triangle.
   std::vector<Component> All;
   std::vector<std::array<Index, 2>> Points; ///< Shared position and component.
   std::vector<std::array<Index, 3>> Edges;  ///< From and to, shared positions, and component.
@@ -42,7 +43,8 @@ struct CensusOfPart
 
 struct JoinedCensus
 {
-  std::vector<std::vector<Index>> OfComponent; ///< Of each component of each part.
+  /// The joined component of each component of each part.
+  std::vector<std::vector<Index>> OfComponent;
   std::vector<PrunedComponent> All;
 };
 
@@ -50,8 +52,8 @@ struct JoinedCensus
 CensusOfPart TakeCensus(const Surface& input, const CleanSurface& clean, const Vector3& origin,
   const SharedPositions& shared, int threads);
 
-/// The same of a surface that is not clean. OfTriangle is then of each input triangle, None of those that cleaning drops. Nothing if
-/// the surface cannot be used.
+/// The same of a surface that is not clean. OfTriangle is then of each input triangle, None of
+/// those that cleaning drops. Nothing if the surface cannot be used.
 CensusOfPart TakeCensus(
   const Surface& input, const Vector3& origin, const SharedPositions& shared, int threads);
 

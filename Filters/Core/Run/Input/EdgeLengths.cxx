@@ -15,8 +15,8 @@ namespace
 {
 /// mm for each mm along an edge.
 constexpr double Slope = 0.3;
-/// Of EdgeLength.
-constexpr double LeastChordal = 0.1;
+/// Least length for a chordal error, as a fraction of EdgeLength.
+constexpr double MinChordal = 0.1;
 constexpr double RadiusOfCurvature = 0.25;
 
 /// Shortens lengths where the surface is curved.
@@ -24,11 +24,11 @@ void ShortenByCurvature(const HalfEdgeMesh& mesh, const PointGraph& graph, const
   std::vector<double>& lengths)
 {
   const std::vector<double> curvatures =
-    LargestCurvatures(mesh, graph, RadiusOfCurvature * options.EdgeLength, options.NumberOfThreads);
+    MaxCurvatures(mesh, graph, RadiusOfCurvature * options.EdgeLength, options.NumberOfThreads);
   for (std::size_t v = 0; v < lengths.size(); ++v)
   {
     const double chordal = ChordalLength(curvatures[v], options.ChordalError);
-    lengths[v] = std::min(lengths[v], std::max(chordal, LeastChordal * options.EdgeLength));
+    lengths[v] = std::min(lengths[v], std::max(chordal, MinChordal * options.EdgeLength));
   }
 }
 }
@@ -43,7 +43,7 @@ InputStatus CheckEdgeLengths(
   for (std::size_t i = 0; i < given->size(); ++i)
   {
     const double length = (*given)[i];
-    if (!(length > 0.0 && length <= LargestCoordinate) && found.BadEdgeLengths++ == 0)
+    if (!(length > 0.0 && length <= MaxCoordinate) && found.BadEdgeLengths++ == 0)
     {
       found.FirstBadEdgeLength = static_cast<std::int64_t>(i);
     }
@@ -99,7 +99,7 @@ ShapeLimits ShapeLimitsOf(const Options& options, std::shared_ptr<const SizingFi
   limits.Local = std::move(local);
   const double requested = options.EffectiveMinimumAngle();
   const double angle = requested == 0.0 && limits.LimitsEdges() ? sliver : requested;
-  limits.LargestCosine = angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
+  limits.MaxCosine = angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;
   return limits;
 }
 }

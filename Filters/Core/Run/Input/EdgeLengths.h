@@ -4,7 +4,8 @@
  * @file EdgeLengths.h
  * @brief The shapes that a run requests. Local lengths of edges, mm: an array of the input, and lengths by the curvature of the input.
  *
- *     chordal      sqrt(6 R e - 3 e^2)          R: radius of curvature, e: ChordalError; at least EdgeLength / 10
+ *     chordal      sqrt(6 R e - 3 e^2), at least EdgeLength / 10    R: radius of curvature,
+ *                                                                   e: ChordalError
  *     length       the least of EdgeLength, the array and the chordal length, graded
  *
  * Documentation/triangle-shapes.md.
@@ -25,11 +26,13 @@
 
 namespace bonedecimate
 {
-/// Whether a run can use them; counts the invalid ones.  @param given mm, of each input point; null: none.
+/// Whether a run can use them; counts the invalid ones.  @param given mm,
+/// of each input point; null: none.
 InputStatus CheckEdgeLengths(
   const std::vector<double>* given, std::size_t numberOfPoints, CleaningStatistics& found);
 
-/// mm, the side of an equilateral triangle with its corners on a sphere of that curvature (1/mm) and its plane that far below it.
+/// mm, the side of an equilateral triangle with its corners on a sphere of that curvature (1/mm)
+/// and its plane that far below it.
 double ChordalLength(double curvature, double error);
 
 /// Relative to the local origin of the input; null: EdgeLength everywhere, or none.

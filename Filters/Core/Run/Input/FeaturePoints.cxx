@@ -10,8 +10,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// The ends, as input points, of the edges of the cleaned surface for which isLine(triangle, corner, twin) holds. The twin
-/// is None or OddEdge for an edge without one.
+/// The ends, as input points, of the edges of the cleaned surface for which isLine(triangle,
+/// corner, twin) holds. The twin is None or OddEdge for an edge without one.
 template <typename IsLine>
 std::vector<bool> EndsOf(
   const Surface& surface, const CleanSurface& clean, int threads, IsLine isLine)

@@ -13,11 +13,12 @@
 
 namespace bonedecimate
 {
-/// For each point whether it lies on an edge of exactly one triangle. Equal points are merged, as in the decimation.
+/// For each point whether it lies on an edge of exactly one triangle. Equal points
+/// are merged, as in the decimation.
 std::vector<bool> PointsOnBoundaries(const Surface& surface, int threads = 1);
 
-/// For each point whether it lies on an edge whose two normals enclose an angle of smaller cosine, or on an edge that is
-/// not manifold or not consistently oriented.
+/// For each point whether it lies on an edge whose two normals enclose an angle of smaller cosine,
+/// or on an edge that is not manifold or not consistently oriented.
 std::vector<bool> PointsOnFolds(const Surface& surface, double cosine, int threads = 1);
 }
 

@@ -9,8 +9,8 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr std::size_t MostGroups = 40;
-constexpr std::size_t MostDirections = 32;
+constexpr std::size_t MaxGroups = 40;
+constexpr std::size_t MaxDirections = 32;
 /// Largest difference of equal edges as a fraction of their length.
 constexpr double SameEdge = 0.01;
 /// Largest cosine between axes, of means over many edges.
@@ -45,7 +45,7 @@ std::vector<EdgeGroup> GroupEdges(const Surface& surface)
         });
       if (group == groups.end())
       {
-        if (groups.size() == MostGroups)
+        if (groups.size() == MaxGroups)
         {
           return {};
         }
@@ -82,7 +82,7 @@ std::vector<Eigen::Matrix3d> FindGridDirections(const Surface& surface)
   {
     for (std::size_t j = 1; j < k; ++j)
     {
-      for (std::size_t i = 0; i < j && directions.size() < MostDirections; ++i)
+      for (std::size_t i = 0; i < j && directions.size() < MaxDirections; ++i)
       {
         if (areApart(i, j) && areApart(j, k) && areApart(i, k))
         {

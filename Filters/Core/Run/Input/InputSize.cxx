@@ -10,8 +10,8 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double LargestRatio = 0.25;  // of an error to the diagonal
-constexpr double SmallestRatio = 1e-6; // the same
+constexpr double MaxRatio = 0.25; // of an error to the diagonal
+constexpr double MinRatio = 1e-6; // the same
 
 /// mm
 double DiagonalOf(const std::vector<Vector3>& points)
@@ -36,30 +36,30 @@ SizeFigures MeasureSize(
 {
   SizeFigures size;
   size.Diagonal = DiagonalOf(clean.Surface.Points);
-  size.LargestError = options.MaximumError;
+  size.MaxError = options.MaximumError;
   if (options.MaximumError == 0.0 && tolerances != nullptr)
   {
     const std::vector<double> ofPoints = TolerancesOf(clean, *tolerances);
     const auto largest = std::max_element(ofPoints.begin(), ofPoints.end());
     if (largest != ofPoints.end() && *largest > 0.0)
     {
-      size.LargestError = *largest;
+      size.MaxError = *largest;
       size.Point = clean.InputPoint[static_cast<std::size_t>(largest - ofPoints.begin())];
     }
   }
-  size.ErrorBound = std::min(size.LargestError, size.Diagonal);
+  size.ErrorBound = std::min(size.MaxError, size.Diagonal);
   return size;
 }
 
 //------------------------------------------------------------------------------
 InputStatus CheckSize(const SizeFigures& size, const Options& options)
 {
-  if (size.LargestError > LargestRatio * size.Diagonal && !options.AllowLargeError)
+  if (size.MaxError > MaxRatio * size.Diagonal && !options.AllowLargeError)
   {
     return InputStatus::ErrorBeyondSize;
   }
   const bool isTooSmall =
-    options.BoundsError() && size.Point < 0 && size.LargestError < SmallestRatio * size.Diagonal;
+    options.BoundsError() && size.Point < 0 && size.MaxError < MinRatio * size.Diagonal;
   return isTooSmall ? InputStatus::ErrorBelowSize : InputStatus::Good;
 }
 }

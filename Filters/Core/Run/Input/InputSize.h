@@ -6,7 +6,8 @@
  *
  *     diagonal D    of the bounding box of all triangles, mm
  *     odd size      D < 2 mm or D > 3 m: a warning, since it is probably not a bone in millimeters
- *     error E       MaximumError or that of the preset; without both the largest tolerance of a point
+ *     error E       MaximumError or that of the preset; without both
+ *                   the largest tolerance of a point
  *     E > D / 4     rejected, unless AllowLargeError; then E is at most D
  *     E < D / 1e6   rejected if it has to be proved: rounding alone exceeds it
  */

@@ -12,11 +12,11 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double LargestErrorOfAutomatic = 0.5; // voxels
+constexpr double MaxErrorOfAutomatic = 0.5; // voxels
 /// A preset of half a voxel may be rounded.
 constexpr double Slack = 1.0 + 1e-6;
 /// Voxels along an axis; a surface beyond that belongs to another grid.
-constexpr double LargestExtent = 65536.0;
+constexpr double MaxExtent = 65536.0;
 
 bool HasGrid(const LabelMapSource* source)
 {
@@ -46,7 +46,7 @@ bool IsNearGrid(const Surface& input, const VoxelGrid& grid)
     const bool isThere = point >= 0 && static_cast<std::size_t>(point) < input.Points.size();
     return !isThere || !IsUsable(input.Points[static_cast<std::size_t>(point)]) ||
       grid.ToSteps(input.Points[static_cast<std::size_t>(point)]).cwiseAbs().maxCoeff() <=
-      LargestExtent;
+      MaxExtent;
   };
   return std::all_of(input.Triangles.begin(), input.Triangles.end(),
     [&](const Triangle& c) { return std::all_of(c.begin(), c.end(), isNear); });
@@ -84,7 +84,7 @@ bool GuardsVoxels(const LabelMapSource* source, const Options& options)
   {
     return false;
   }
-  const double largest = LargestErrorOfAutomatic * source->Grid.Spacing.minCoeff() * Slack;
+  const double largest = MaxErrorOfAutomatic * source->Grid.Spacing.minCoeff() * Slack;
   return options.KeepVoxels == KeepVoxels::On || options.MaximumError <= largest;
 }
 

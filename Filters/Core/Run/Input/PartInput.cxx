@@ -24,17 +24,15 @@ void SetOrigin(const Surface& input, const Vector3& origin, CleanSurface& clean)
 HalfEdgeMesh BuildMesh(const SurfacePart& part, int threads, CleanSurface& clean)
 {
   SortAlongCurve(clean, threads);
-  HalfEdgeMesh mesh(
-    clean.Surface, threads, {}, PatchLabels(clean, part.ReferencePatches, part.ReferenceLabels));
-  if (SplitIntoManifoldPatches(clean, mesh))
+  if (SplitIntoManifoldPatches(
+        clean, threads, PatchLabels(clean, part.ReferencePatches, part.ReferenceLabels)))
   {
     SortAlongCurve(clean, threads);
-    mesh = HalfEdgeMesh(clean.Surface, threads, clean.ManifoldPatches);
   }
-  return mesh;
+  return HalfEdgeMesh(clean.Surface, threads, clean.ManifoldPatches);
 }
 
-/// Of each vertex the corner of that triangle that is nearest to it.
+/// The corner of each triangle that is nearest to its point.
 std::vector<Index> NearestCorners(
   const std::vector<Vector3>& points, const Surface& surface, std::vector<Index> triangles)
 {

@@ -22,7 +22,8 @@ namespace bonedecimate
 /// What other parts have near this one.
 Neighborhood NeighborsOf(const SurfacePart& part, const CleanSurface& clean, int threads);
 
-/// Of each vertex of the mesh, whether other parts have it, too, or it is of a triangle too near to them. Empty: none.
+/// Whether other parts have a vertex of the mesh, too, or it is a corner of a triangle
+/// too near to them. Empty: none.
 std::vector<char> SharedVertices(
   const SurfacePart& part, const CleanSurface& clean, const Neighborhood& neighbors);
 
@@ -32,7 +33,8 @@ CutEdges CutEdgesOf(const std::vector<std::array<Index, 2>>& edges, const CleanS
 /// mm from the local origin of the cleaned surface.
 std::optional<Zone> LocalZone(const std::optional<Zone>& zone, const CleanSurface& clean);
 
-/// The original of a part that is itself a result. Null if it cannot be used: nothing is left after cleaning.
+/// The original of a part that is itself a result. Null if it cannot be used:
+/// nothing is left after cleaning.
 /// @param inputs With the part.  @param input The cleaned part, as its mesh was made from it.
 std::unique_ptr<ReferenceMesh> MakeReferenceMesh(
   const RunInputs& inputs, const CleanSurface& input, const Options& options);

@@ -15,7 +15,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Of the distance to the middle of its triangles, how far inside of its patch a point is searched.
+/// How far inside of its patch a point is searched, as a fraction of the distance
+/// to the middle of its triangles.
 constexpr double FromVertex = 0.25;
 
 /// The pair of labels of a triangle and the name of its label, as far as there are any.
@@ -69,7 +70,7 @@ Groups GroupsOf(const SurfaceOfPatches& surface, int threads)
   return groups;
 }
 
-/// Of each vertex the group of its triangles; null if there is none of their key.
+/// The group of the triangles at each vertex; null if there is none of their key.
 std::vector<const Group*> GroupOfVertices(const SurfaceOfPatches& surface, const Groups& groups)
 {
   std::vector<const Group*> ofVertex(surface.Clean.Surface.Points.size(), nullptr);

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -73,22 +74,17 @@ void PrepareErrors(RunTask& task, const Monitor& monitor, PreparedInput& prepare
   }
 }
 
-/// Input points at which the mesh is not manifold, ascending.
-std::vector<Index> NonManifoldPoints(const HalfEdgeMesh& mesh, const CleanSurface& cleaned)
+/// Input points at which the surface is not manifold, ascending.
+std::vector<Index> NonManifoldInputPoints(const Rings& rings, const CleanSurface& cleaned)
 {
-  std::vector<Index> points;
-  for (Index v = 0; v < mesh.NumberOfVertexSlots(); ++v)
-  {
-    if (mesh.Constraint(v) == VertexConstraint::NonManifold)
-    {
-      points.push_back(cleaned.InputPoint[v]);
-    }
-  }
+  std::vector<Index> points = NonManifoldPoints(rings);
+  std::transform(points.begin(), points.end(), points.begin(),
+    [&](Index point) { return cleaned.InputPoint[point]; });
   std::sort(points.begin(), points.end());
   return points;
 }
 
-/// Of these points, those that no feature curve passes: inner vertices of a curve can be removed.
+/// The points that no feature curve passes: inner vertices of a curve can be removed.
 std::vector<Index> WithoutCurves(
   const std::vector<Index>& points, const HalfEdgeMesh& mesh, const CleanSurface& cleaned)
 {
@@ -124,18 +120,26 @@ HalfEdgeMesh BuildMesh(const RunTask& task, CleanSurface& cleaned, RunProgress& 
     SortAlongCurve(cleaned, threads);
   }
   monitor(0.25);
-  HalfEdgeMesh mesh(cleaned.Surface, threads);
-  std::vector<Index> stay = NonManifoldPoints(mesh, cleaned);
+  EdgeMatching edges(cleaned.Surface.Triangles, cleaned.Surface.Points.size(), threads);
+  Rings rings = edges.FindRings();
+  std::vector<Index> stay = NonManifoldInputPoints(rings, cleaned);
   const std::vector<Index> labels = PatchLabels(cleaned, task.Inputs.Labels, task.Inputs.LabelMap);
   if (!labels.empty())
   {
-    mesh = HalfEdgeMesh(cleaned.Surface, threads, {}, labels);
+    edges.CutBetween(labels);
+    rings = edges.FindRings();
   }
-  if (progress.GoesOn() && SplitIntoManifoldPatches(cleaned, mesh))
+  const bool isSplit = progress.GoesOn() && SplitIntoManifoldPatches(cleaned, edges, rings);
+  if (isSplit)
   {
     SortAlongCurve(cleaned, threads);
-    mesh = HalfEdgeMesh(cleaned.Surface, threads, cleaned.ManifoldPatches);
-    stay = CollapsesFeatureCurves(task.Inputs) ? WithoutCurves(stay, mesh, cleaned) : stay;
+    edges.Match(cleaned.Surface.Points.size());
+    rings = edges.FindRings();
+  }
+  HalfEdgeMesh mesh(cleaned.Surface, edges, std::move(rings), threads, cleaned.ManifoldPatches);
+  if (isSplit && CollapsesFeatureCurves(task.Inputs))
+  {
+    stay = WithoutCurves(stay, mesh, cleaned);
   }
   CountNonManifold(stay, report.Cleaning);
   monitor(0.5);

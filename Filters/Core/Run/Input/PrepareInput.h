@@ -8,8 +8,10 @@
  *     Diagnose(input)                  on request
  *     Prune(cleaned)                   components that are too small, on request
  *     CheckLabelMap(source)            whether the voxel grid and its labels suit the input
- *     CheckErrors(tolerances)          whether tolerances and largest error suit mode, precision and size
- *     CompareWithReference(input)      what is left of the largest error, if the input is itself a result
+ *     CheckErrors(tolerances)          whether tolerances and largest
+ *                                      error suit mode, precision and size
+ *     CompareWithReference(input)      what is left of the largest error,
+ *                                      if the input is itself a result
  *     SortAlongCurve(cleaned)          neighbors in space become neighbors in memory
  *     HalfEdgeMesh(cleaned)            split where it is not manifold, and between labels
  *     TolerancesOf(cleaned)            of each vertex
@@ -40,14 +42,14 @@ struct RunTask
 {
   const Surface& Input;
   const RunInputs& Inputs;
-  Options
-    Effective; ///< With the largest error that is used: that of the preset, and none above the diagonal.
+  /// With the largest error that is used: that of the preset, and none above the diagonal.
+  Options Effective;
   bool GuardsVoxels = false;   ///< Whether edits may not let a voxel center change sides.
-  PointRounding Rounding = {}; ///< Of the result.
+  PointRounding Rounding = {}; ///< Rounding of the result.
   SmoothingPlan Smoothing = {};
 };
 
-/// Of the result of an input of that precision.
+/// Rounding of the result for an input of that precision.
 PointRounding RoundingOf(const Options& options, bool inputIsSingle);
 
 /// mm, tolerances of the points of the input.
@@ -82,7 +84,8 @@ struct PreparedInput
   std::optional<HalfEdgeMesh> Mesh; ///< None if the input was rejected.
   std::shared_ptr<const SizingField>
     Sizes; ///< Local lengths of edges; null: EdgeLength everywhere, or none.
-  std::unique_ptr<ReferenceMesh> Original; ///< Of a part that is itself a result; null: the input.
+  /// The original of a part that is itself a result; null: the input.
+  std::unique_ptr<ReferenceMesh> Original;
 
   /// Whether every vertex has a tolerance.
   bool IsLimitedEverywhere() const;
@@ -94,11 +97,13 @@ inline bool ContinuesEarlierRun(const RunInputs& inputs)
   return inputs.Part != nullptr && inputs.Part->Reference != nullptr;
 }
 
-/// Whether curves between labels are collapsed. A log cannot record it for label maps, and does not come with labels.
+/// Whether curves between labels are collapsed. A log cannot record it for label maps,
+/// and does not come with labels.
 bool CollapsesFeatureCurves(const RunInputs& inputs);
 
 /// @param task Its largest error is lowered to the diagonal if it is more.
-/// @param checkedAt,builtAt Fractions of the progress at which the input is checked and the mesh is built.
+/// @param checkedAt,builtAt Fractions of the progress at which the input is
+/// checked and the mesh is built.
 /// @param report Status, figures of the input. The result is of use only if its status is good.
 PreparedInput PrepareInput(
   RunTask& task, double checkedAt, double builtAt, RunProgress& progress, Report& report);

@@ -11,8 +11,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Keeps the triangles of the remaining components, renumbers their points in the same order, and moves the origin to the
-/// least corner of their bounding box.
+/// Keeps the triangles of the remaining components, renumbers their points in the same order, and
+/// moves the origin to the least corner of their bounding box.
 class Remover
 {
 public:

@@ -18,7 +18,8 @@ namespace
 constexpr double TriangleGap = 0.01;
 /// The same for the distance of the whole surface.
 constexpr double WholeGap = 1e-4;
-/// Margins for rounding: of the differences below, relative to the largest error; of distances, relative to coordinates.
+/// Margins for rounding: of the differences below, relative to the largest error; of
+/// distances, relative to coordinates.
 constexpr double RelativeSlack = 1e-12;
 
 Certificate DistanceOf(
@@ -27,7 +28,7 @@ Certificate DistanceOf(
   CertificateOptions question;
   question.Tolerance = options.MaximumError;
   question.RelativeGap = TriangleGap;
-  question.LeastGap = WholeGap * options.MaximumError;
+  question.MinGap = WholeGap * options.MaximumError;
   question.ReferenceTriangleGap = TriangleGap * options.MaximumError;
   question.ResultTriangleGap = question.ReferenceTriangleGap;
   question.WithBoundaries = options.MergePoints;
@@ -35,7 +36,7 @@ Certificate DistanceOf(
   return Certify(reference, input, question, monitor);
 }
 
-double LargestCoordinateOf(const Surface& surface)
+double MaxCoordinateOf(const Surface& surface)
 {
   double largest = 0.0;
   for (const Triangle& triangle : surface.Triangles)
@@ -54,14 +55,15 @@ std::array<Vector3, 3> CornersOf(const Surface& surface, Index triangle)
   return { surface.Points[v[0]], surface.Points[v[1]], surface.Points[v[2]] };
 }
 
-/// Raises the bound of every triangle of the input that may be the nearest to a point of a reference triangle.
+/// Raises the bound of every triangle of the input that may be the nearest to a
+/// point of a reference triangle.
 /// @param bounds mm, for each reference triangle.  @param used mm, for each triangle of the input.
 void RaiseToNearest(const Surface& reference, const std::vector<double>& bounds,
   const Surface& input, int threads, std::vector<double>& used)
 {
   const BoundingTree tree(input, threads);
   const double rounding =
-    RelativeSlack * std::max(LargestCoordinateOf(reference), LargestCoordinateOf(input));
+    RelativeSlack * std::max(MaxCoordinateOf(reference), MaxCoordinateOf(input));
   for (std::size_t r = 0; r < bounds.size(); ++r)
   {
     const std::array<Vector3, 3> c = CornersOf(reference, static_cast<Index>(r));

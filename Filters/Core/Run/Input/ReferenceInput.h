@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ReferenceInput.h
- * @brief For an input that is itself a result, computes how much of the largest error relative to the first original (the
- *        reference) remains at each point.
+ * @brief For an input that is itself a result, computes how much of the largest error relative to
+ * the first original (the reference) remains at each point.
  *
- *     Certify(reference, input)             an upper bound b of the distance of each triangle, in both directions
- *     used(t) = max of b(t) and of b(r) over all r with a point to which t may be nearest   (within b(r) of r)
+ *     Certify(reference, input)             an upper bound b of the distance of
+ *                                           each triangle, in both directions
+ *     used(t) = max of b(t) and of b(r) over all r with a point to which t may be nearest
+ *                                           (within b(r) of r)
  *     left(p) = largest error - max of used(t) over the triangles t at p, but at least 0
  *
- * A run that keeps these tolerances relative to its input keeps the largest error relative to the reference: a point of
- * the reference is at most used(t) from its nearest point of the input, which is at most left from the result, linear on
- * t; a point of the result is at most left from a triangle t, which is at most b(t) from the reference. Boundaries are
- * treated in the same way, with one bound for all. Documentation/tolerance.md gives the proof. Where nothing is left the
- * input is constrained.
+ * A run that keeps these tolerances relative to its input keeps the largest error relative to
+ * the reference: a point of the reference is at most used(t) from its nearest point of the
+ * input, which is at most left from the result, linear on t; a point of the result is at most
+ * left from a triangle t, which is at most b(t) from the reference. Boundaries are treated in
+ * the same way, with one bound for all. Documentation/tolerance.md gives the proof. Where
+ * nothing is left the input is constrained.
  */
 #ifndef BoneDecimate_Core_Run_Input_ReferenceInput_h
 #define BoneDecimate_Core_Run_Input_ReferenceInput_h

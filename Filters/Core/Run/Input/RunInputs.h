@@ -22,7 +22,7 @@ namespace bonedecimate
 /// What a run knows if its input is a part of a larger surface, and other runs have the other parts.
 struct SurfacePart
 {
-  /// Of each input point: whether other parts have it, too. It and the corners of its triangles are constrained, but by no
+  /// Whether other parts have an input point, too, for each of them. It and the corners of its triangles are constrained, but by no
   /// tolerance: they may have been smoothed. Empty: none.
   std::vector<char> IsShared;
   /// mm, of each input point: where SmoothOnly has put it, of the whole surface. Edits start there and are proved against the
@@ -62,7 +62,7 @@ struct RunInputs
   /// Surface that the largest error is guaranteed, proved and measured against if it is not the input but its source
   /// (ReferenceInput.h). Tolerances still refer to the input.
   const Surface* Reference = nullptr;
-  /// Of the input triangles: lines between different ones are collapsed along themselves alone, and every triangle keeps
+  /// Labels of the input triangles: lines between different ones are collapsed along themselves alone, and every triangle keeps
   /// its own. With a log these lines do not change, because a log has no edits of several manifold patches at once.
   const bonedecimate::Labels* Labels = nullptr;
   /// mm, above 0, of each input point: what edges are to have there, at most EdgeLength (Run/Input/EdgeLengths.h). No effect

@@ -13,7 +13,8 @@ namespace
 {
 /// From this ratio of the largest to the smallest spacing on slices are thick.
 constexpr double ThickSlices = 2.0;
-/// Spacings are estimates, and limits lack the slack of the error bound: an error of one voxel is none below it.
+/// Spacings are estimates, and limits lack the slack of the error bound: an error
+/// of one voxel is none below it.
 constexpr double RelativeAccuracy = 1e-3;
 
 void FindSource(const Surface& input, const LabelMapSource* labelMap, SmoothingPlan& plan)
@@ -36,7 +37,7 @@ void FindSource(const Surface& input, const LabelMapSource* labelMap, SmoothingP
 void PlanByVoxels(const VoxelGrid& grid, const Options& options, SmoothingPlan& plan)
 {
   const double least = grid.Spacing.minCoeff();
-  const double most = grid.LargestSpacing().maxCoeff();
+  const double most = grid.MaxSpacing().maxCoeff();
   const double error = options.MaximumError;
   plan.InVoxels = most >= ThickSlices * least && (error == 0.0 || error >= most);
   plan.Radius = 0.5 * (plan.InVoxels ? most : least);

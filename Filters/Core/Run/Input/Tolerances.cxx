@@ -21,7 +21,7 @@ InputStatus CheckTolerances(const std::vector<double>& given, std::size_t number
 {
   for (std::size_t i = 0; i < given.size(); ++i)
   {
-    if (!(std::fabs(given[i]) <= LargestCoordinate) && found.BadTolerances++ == 0)
+    if (!(std::fabs(given[i]) <= MaxCoordinate) && found.BadTolerances++ == 0)
     {
       found.FirstBadTolerance = static_cast<std::int64_t>(i);
     }
@@ -50,7 +50,7 @@ InputStatus CheckRounding(const Surface& input, const CleanSurface& clean,
     if (move > (isLimited ? std::min(tolerances[v], errors.Largest) : errors.Largest))
     {
       found.FirstCoarsePoint = found.CoarsePoints++ == 0 ? id : found.FirstCoarsePoint;
-      found.LargestRounding = std::max(found.LargestRounding, move);
+      found.MaxRounding = std::max(found.MaxRounding, move);
     }
   }
   return found.CoarsePoints > 0 ? InputStatus::SinglePrecisionTooCoarse : InputStatus::Good;

@@ -24,7 +24,8 @@
 namespace bonedecimate
 {
 /// Whether a run can use them; counts the invalid ones.
-/// @param provesError Whether the mode proves errors. Without a proof, tolerances above 0 are rejected.
+/// @param provesError Whether the mode proves errors. Without a proof,
+/// tolerances above 0 are rejected.
 InputStatus CheckTolerances(const std::vector<double>& given, std::size_t numberOfPoints,
   bool provesError, CleaningStatistics& found);
 
@@ -35,7 +36,8 @@ struct ErrorsOfPoints
   const std::vector<double>* Tolerances;
 };
 
-/// Whether rounding the output keeps every point that triangles use within these errors; counts the points that move too far.
+/// Whether rounding the output keeps every point that triangles use within these errors;
+/// counts the points that move too far.
 InputStatus CheckRounding(const Surface& input, const CleanSurface& clean,
   const ErrorsOfPoints& errors, const PointRounding& rounding, CleaningStatistics& found);
 
@@ -48,8 +50,8 @@ InputStatus CheckErrors(const Surface& input, const CleanSurface& clean,
 /// The tolerances, mm, capped by the limit.
 std::vector<double> LimitedTolerances(std::vector<double> given, double limit);
 
-/// mm, for each point of the cleaned surface the least tolerance of the input points merged into it; -1: none. Empty if no
-/// point has a tolerance.
+/// mm, for each point of the cleaned surface the least tolerance of the input points merged into
+/// it; -1: none. Empty if no point has a tolerance.
 std::vector<double> TolerancesOf(const CleanSurface& clean, const std::vector<double>& given);
 }
 

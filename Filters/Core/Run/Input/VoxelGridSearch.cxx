@@ -12,12 +12,13 @@ namespace bonedecimate
 {
 namespace
 {
-/// Largest difference of equal coordinates as a fraction of the largest coordinate: eight times the rounding of single
-/// precision, for programs that transform points and for axes that are found in edges.
+/// Largest difference of equal coordinates as a fraction of the largest coordinate:
+/// eight times the rounding of single precision, for programs that transform points and
+/// for axes that are found in edges.
 constexpr double SameValue = 0x1p-20;
 /// Largest deviation from a multiple of the step.
 constexpr double Deviation = 0.01;
-constexpr double MostSteps = 1e6;
+constexpr double MaxSteps = 1e6;
 
 /// The coordinates along an axis: numbers of steps from the least one.
 struct AxisSteps
@@ -61,7 +62,7 @@ AxisSteps FindSteps(const std::vector<Vector3>& points, Eigen::Index axis)
   AxisSteps steps;
   steps.First = values.front();
   const double extent = values.back() - values.front();
-  if (values.size() < 2 || extent > MostSteps * least)
+  if (values.size() < 2 || extent > MaxSteps * least)
   {
     return {};
   }
@@ -89,7 +90,8 @@ bool AreUsable(const Surface& surface)
       });
 }
 
-/// Whether the corners of every triangle lie in one cell: no coordinate differs by more than a voxel.
+/// Whether the corners of every triangle lie in one cell: no
+/// coordinate differs by more than a voxel.
 bool HasSmallTriangles(const std::vector<GridPoint>& points, const std::vector<Triangle>& triangles)
 {
   return std::all_of(triangles.begin(), triangles.end(),
@@ -112,7 +114,7 @@ std::optional<GridPoint> FindGridPoint(const Vector3& position, const VoxelGrid&
 {
   const Vector3 halves = 2.0 * grid.ToVoxels(position);
   const Vector3 whole = halves.array().round();
-  if (!(whole.cwiseAbs().maxCoeff() <= MostSteps) ||
+  if (!(whole.cwiseAbs().maxCoeff() <= MaxSteps) ||
     !((halves - whole).cwiseAbs().maxCoeff() <= Deviation))
   {
     return {};

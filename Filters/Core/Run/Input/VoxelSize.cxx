@@ -10,7 +10,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Largest difference of equal coordinates as a fraction of the largest coordinate: twice the rounding of single precision.
+/// Largest difference of equal coordinates as a fraction of the largest coordinate: twice
+/// the rounding of single precision.
 constexpr double SameCoordinate = 0x1p-22;
 /// Least number of vertices of a plane as a fraction of that of a typical plane.
 constexpr double PlaneRatio = 0.125;
@@ -19,7 +20,8 @@ constexpr double EvenStepRatio = 0.9;
 constexpr double OnPlanesRatio =
   0.15; // with cubic voxels two thirds; fewer if the planes are far apart
 constexpr std::size_t FewestPlanes = 4;
-/// The median edge of a marching-cubes surface as a fraction of the side of a cubic voxel, and its uncertainty.
+/// The median edge of a marching-cubes surface as a fraction of the side of a
+/// cubic voxel, and its uncertainty.
 constexpr double EdgeOfVoxel = 1.03;
 constexpr double EdgeError = 0.2;
 
@@ -211,8 +213,8 @@ VoxelFigures ApplyPreset(const Surface& surface, Options& options)
     voxel.Size = estimate.Least();
     voxel.Error = estimate.RelativeError * voxel.Size;
   }
-  voxel.LargestError = options.LargestError(voxel.Size);
-  options.MaximumError = voxel.LargestError;
+  voxel.MaxError = options.MaxError(voxel.Size);
+  options.MaximumError = voxel.MaxError;
   options.ErrorPreset = ErrorPreset::NoPreset;
   return voxel;
 }

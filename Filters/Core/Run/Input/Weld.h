@@ -6,12 +6,15 @@
  *
  *     positions     points of equal coordinates are one
  *     boundary      edges of one triangle
- *     leaders       positions of the boundary in the order x, y, z: each joins the nearest leader within the distance, or leads
- *     kept          positions whose boundary edge has the same two leaders as another boundary edge; the others stay
+ *     leaders       positions of the boundary in the order x, y, z: each joins the nearest
+ *                   leader within the distance, or leads
+ *     kept          positions whose boundary edge has the same two leaders as another
+ *                   boundary edge; the others stay
  *
- * A position never joins one that has a triangle in common with it, so no triangle loses a corner. No position moves farther
- * than the distance: chains do not add up. Points that are not on a boundary stay, so closed fragments are never joined. The
- * result depends neither on the order of points and triangles nor on threads. O(n log n) unless points have very many neighbors.
+ * A position never joins one that has a triangle in common with it, so no triangle loses a corner.
+ * No position moves farther than the distance: chains do not add up. Points that are not on a
+ * boundary stay, so closed fragments are never joined. The result depends neither on the order of
+ * points and triangles nor on threads. O(n log n) unless points have very many neighbors.
  */
 #ifndef BoneDecimate_Core_Run_Input_Weld_h
 #define BoneDecimate_Core_Run_Input_Weld_h

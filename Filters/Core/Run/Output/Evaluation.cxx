@@ -28,8 +28,8 @@ constexpr double BoundariesProgress = 0.02;
 constexpr double InputPointsProgress = 0.095;
 constexpr double LastStep = 0.005;
 
-/// mm^3, what triangles between two labels add to the sum over all triangles. In the sum over all labels each of them counts once with
-/// either sign, that is not at all.
+/// mm^3, what triangles between two labels add to the sum over all triangles. In the sum over all
+/// labels each of them counts once with either sign, that is not at all.
 double VolumeOfWalls(const Surface& surface, const std::vector<BoundaryLabels>& pairs,
   const LabelMapSource& map, int threads)
 {
@@ -83,11 +83,10 @@ public:
       report.Output.Volume -=
         VolumeOfWalls(this->Run.LocalResult, this->Output.BoundaryLabels, *map, threads);
     }
-    if (this->Run.SmallestPart > 0.0)
+    if (this->Run.MinPart > 0.0)
     {
       this->Parts.emplace(this->Run.Cleaned, this->Run.Inputs);
-      report.Parts =
-        this->Parts->Compare(editor.Mesh(), this->Run.LocalResult, this->Run.SmallestPart);
+      report.Parts = this->Parts->Compare(editor.Mesh(), this->Run.LocalResult, this->Run.MinPart);
     }
   }
 
@@ -129,8 +128,8 @@ public:
     Report& report = this->Output.Report;
     if (report.Input.Components > 1)
     {
-      report.Gap = { WithJoined(this->Run.Cleaned, LeastFragmentGap),
-        LeastFragmentGap(this->Run.LocalResult) };
+      report.Gap = { WithJoined(this->Run.Cleaned, MinFragmentGap),
+        MinFragmentGap(this->Run.LocalResult) };
       report.FragmentGapMeasured = true;
     }
   }

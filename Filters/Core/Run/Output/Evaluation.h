@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Evaluation.h
- * @brief Evaluates the result of a run for the report: statistics of both surfaces, and the distances between them or to
- *        the reference, if there is one.
+ * @brief Evaluates the result of a run for the report: statistics of both surfaces, and the
+ * distances between them or to the reference, if there is one.
  *
  *     Describe(input), Describe(result)      counts, area, volume
- *     PartComparer                           the same of each component or label, if the surface was smoothed; thickness, too,
- *                                            if distances are measured
- *     Certify(input, result)                 open boundaries, curve to curve, unless a certificate follows
+ *     PartComparer                           the same of each component or label, if
+ *                                            the surface was smoothed; thickness,
+ *                                            too, if distances are measured
+ *     Certify(input, result)                 open boundaries, curve to curve, unless a certificate
+ *                                            follows
  *     MeasureDistance                        both directions, by samples
  *     PointDistances                         of each point of the input
  */
@@ -38,14 +40,15 @@ struct EvaluatedRun
   bool IsProvedNext;          ///< whether a certificate of surfaces and boundaries follows
   const RunInputs& Inputs;
   std::shared_ptr<const SizingField> Sizes; ///< Local lengths of edges; null: none.
-  double SmallestPart; ///< mm^3, PartComparison::SmallestVolume; 0: parts are not compared.
+  double MinPart; ///< mm^3, PartComparison::MinVolume; 0: parts are not compared.
 };
 
 /// Progress at which the evaluation begins and ends, 0 to 1.
 double MeasuredFrom(const Options& options, bool isProvedNext);
 double MeasuredTo(bool isProvedNext);
 
-/// Fills in the report, and the distances of input points if requested. After an abort, computes statistics only.
+/// Fills in the report, and the distances of input points if requested. After an
+/// abort, computes statistics only.
 void Evaluate(
   const EvaluatedRun& run, const Options& options, RunProgress& progress, Result& output);
 }

@@ -52,7 +52,8 @@ struct Remains
   std::vector<Vector3> Points; // mm from the local origin
 };
 
-/// Whether the triangles are those of the original, corner by corner: smoothing alone has moved points.
+/// Whether the triangles are those of the original, corner by corner:
+/// smoothing alone has moved points.
 bool HasTrianglesOf(const CleanSurface& clean, const HalfEdgeMesh& mesh)
 {
   const std::vector<Triangle>& triangles = clean.Surface.Triangles;
@@ -77,7 +78,7 @@ bool HasTrianglesOf(const CleanSurface& clean, const HalfEdgeMesh& mesh)
   return mesh.NumberOfFaces() == static_cast<Index>(face) && face == triangles.size();
 }
 
-/// Of a point or triangle that no edit has changed: itself.
+/// A point or triangle that no edit has changed is its own origin.
 void KeepOrigins(const Remains& remains, const HalfEdgeMesh& mesh, Result& result)
 {
   const CleanSurface& clean = remains.Clean;
@@ -157,7 +158,8 @@ bool HaveSameLabels(const ExtractOptions& options, std::size_t a, std::size_t b)
       options.LabelMap->OfTriangle[a] == options.LabelMap->OfTriangle[b]);
 }
 
-/// The triangle nearest to a centroid may have another label: the original triangle of the face is used then.
+/// The triangle nearest to a centroid may have another label: the original
+/// triangle of the face is used then.
 void KeepLabels(const HalfEdgeMesh& mesh, const CleanSurface& clean, const ExtractOptions& options,
   Result& result)
 {
@@ -208,7 +210,8 @@ void LookUpCentroids(
     });
 }
 
-/// The distances of the points, and where points and triangles come from, as far as they are requested.
+/// The distances of the points, and where points and triangles come
+/// from, as far as they are requested.
 void FindOrigins(const HalfEdgeMesh& mesh, Remains& remains, const ExtractOptions& options,
   const Monitor& monitor, Result& result)
 {

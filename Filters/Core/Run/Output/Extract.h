@@ -10,7 +10,8 @@
  *     Distance, RunningError    if they or Origins are requested
  *     Origins       if requested
  *
- * Only the last two need the bounding tree of the original. The result does not depend on the number of threads.
+ * Only the last two need the bounding tree of the original. The result does not
+ * depend on the number of threads.
  */
 #ifndef BoneDecimate_Core_Run_Output_Extract_h
 #define BoneDecimate_Core_Run_Output_Extract_h
@@ -25,12 +26,12 @@ namespace bonedecimate
 {
 struct ExtractOptions
 {
-  PointRounding Rounding = {}; ///< Of the positions, before they are measured.
+  PointRounding Rounding = {}; ///< Rounding of the positions, before they are measured.
   bool Distances = false;
   bool Origins = false;
   int Threads = 1;
-  const Labels* InputLabels = nullptr;      ///< Of the input triangles; null: none.
-  const LabelMapSource* LabelMap = nullptr; ///< Of the input; null: not known.
+  const Labels* InputLabels = nullptr;      ///< Labels of the input triangles; null: none.
+  const LabelMapSource* LabelMap = nullptr; ///< The label map of the input; null: not known.
 };
 
 /**

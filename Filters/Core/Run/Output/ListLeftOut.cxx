@@ -16,7 +16,7 @@ namespace
 {
 using Shapes = std::vector<std::array<Vector3, 3>>;
 
-/// Of the bounds of the distance of what was left out.
+/// Relative gap between the bounds of the distance of what was left out.
 constexpr double DistanceGap = 1e-3;
 
 LeftOutShape PrunedComponents(const PruneFigures& pruned, Shapes shapes)
@@ -80,7 +80,7 @@ LeftOutShape TrianglesWithoutArea(std::int64_t count, std::int64_t first, Shapes
 }
 
 //------------------------------------------------------------------------------
-double LargestDistance(const Shapes& shapes, const Surface& surface, int threads)
+double MaxDistance(const Shapes& shapes, const Surface& surface, int threads)
 {
   Surface source;
   for (const std::array<Vector3, 3>& corners : shapes)
@@ -136,7 +136,7 @@ std::vector<LeftOut> DistancesOf(std::vector<LeftOutShape> all, const Surface& s
   std::vector<LeftOut> entries;
   for (LeftOutShape& found : all)
   {
-    found.Entry.Distance = LargestDistance(found.Triangles, surface, threads);
+    found.Entry.Distance = MaxDistance(found.Triangles, surface, threads);
     entries.push_back(std::move(found.Entry));
   }
   return entries;

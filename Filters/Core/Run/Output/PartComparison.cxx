@@ -18,7 +18,7 @@ namespace
 /// One line for 16 triangles, within these limits: thickness is a median and a percentile.
 constexpr std::int64_t TrianglesOfLine = 16;
 constexpr std::int64_t FewestLines = 32;
-constexpr std::int64_t MostLines = 500;
+constexpr std::int64_t MaxLines = 500;
 
 /// The background is no part.
 SurfaceParts PartsOfPairs(const CleanSurface& clean, const LabelMapSource& map)
@@ -108,7 +108,7 @@ PartComparison PartComparer::Compare(
   }
   PartComparison compared;
   compared.Of = this->Kind;
-  compared.SmallestVolume = smallestVolume;
+  compared.MinVolume = smallestVolume;
   this->Describe(WithJoined(this->Clean,
                    [&](const Surface& joined)
                    { return MeasureParts(joined.Points, joined.Triangles, this->Before); }),
@@ -158,14 +158,14 @@ void PartComparer::MeasureThickness(const BoundingTree& before, const BoundingTr
     this->EncloseLabels ? &this->Before.OfTriangle : nullptr };
   const SolidSurface ofResult = { result, after,
     this->EncloseLabels ? &this->After.OfTriangle : nullptr };
-  const std::size_t count = std::min(this->Order.size(), PartComparison::MostListed);
+  const std::size_t count = std::min(this->Order.size(), PartComparison::MaxListed);
   const std::vector<Index> wanted(
     this->Order.begin(), this->Order.begin() + static_cast<std::ptrdiff_t>(count));
   const std::vector<std::vector<Triangle>> triangles = TrianglesOf(result, this->After, wanted);
   for (std::size_t i = 0; i < count; ++i)
   {
     PartFigures& part = compared.Parts[i];
-    const std::int64_t lines = std::clamp(part.Triangles / TrianglesOfLine, FewestLines, MostLines);
+    const std::int64_t lines = std::clamp(part.Triangles / TrianglesOfLine, FewestLines, MaxLines);
     const ThicknessChange found = CompareThickness(ofInput, ofResult, triangles[i],
       this->EncloseLabels ? wanted[i] : 0, static_cast<std::size_t>(lines), threads);
     part.Input.Thickness = found.Before;

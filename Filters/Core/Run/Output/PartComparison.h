@@ -4,7 +4,8 @@
  * @file PartComparison.h
  * @brief Compares the parts of input and result: area, volume and thickness.
  *
- *     parts     with pairs of labels: what each label encloses; with labels: the triangles of each; otherwise the components
+ *     parts     with pairs of labels: what each label encloses; with labels: the triangles of
+ *               each; otherwise the components
  *     faces     of the result keep the part that they had in the input
  */
 #ifndef BoneDecimate_Core_Run_Output_PartComparison_h

@@ -19,13 +19,14 @@ namespace bonedecimate
 /// alone, each point and triangle corresponds to itself, even if another one is nearer.
 struct SurfaceOrigins
 {
-  std::vector<Index> NearestTriangle;             ///< Input triangle nearest to each output point.
-  std::vector<std::array<double, 3>> Barycentric; ///< Of the nearest point in that triangle, sum 1.
-  std::vector<Index> NearestPoint;                ///< Input point nearest to each output point.
+  std::vector<Index> NearestTriangle; ///< Input triangle nearest to each output point.
+  std::vector<std::array<double, 3>>
+    Barycentric;                   ///< Coordinates of the nearest point in that triangle, sum 1.
+  std::vector<Index> NearestPoint; ///< Input point nearest to each output point.
   std::vector<Index>
     TriangleAtCentroid; ///< Input triangle nearest to each output triangle's centroid; one of its label.
   std::vector<Index>
-    OutputPoint; ///< Of each input point: the one it became part of, None if no triangle used it.
+    OutputPoint; ///< The output point that each input point became part of; None if no triangle used it.
 };
 
 /// What a run made of a surface.
@@ -41,7 +42,7 @@ struct Result
   std::vector<double> Distance;
   /// mm, largest distance recorded along the collapses into each output point, or Distance if none are; filled with it.
   std::vector<double> RunningError;
-  /// Of each output triangle; filled if the label map has them.
+  /// Labels on both sides of each output triangle; filled if the label map has them.
   std::vector<bonedecimate::BoundaryLabels> BoundaryLabels;
   std::vector<Index> PointCount; ///< Number of input points that each output point represents.
   std::vector<double>

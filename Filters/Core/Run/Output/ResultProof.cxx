@@ -12,9 +12,10 @@ namespace bonedecimate
 {
 namespace
 {
-/// Relative gaps of the bounds. The first is relative to the bound of the whole or to the largest error, whichever is
-/// larger; the second, of triangles, to the largest error, or to the largest tolerance without one. The error bound of edits
-/// keeps a margin of twice the first below the largest error. Without these gaps flat parts, at a distance of 0, would be cut
+/// Relative gaps of the bounds. The first is relative to the bound of the whole or to the
+/// largest error, whichever is larger; the second, of triangles, to the largest error, or to the
+/// largest tolerance without one. The error bound of edits keeps a margin of twice the first
+/// below the largest error. Without these gaps flat parts, at a distance of 0, would be cut
 /// along every edge of the input.
 constexpr double WholeGap = 1e-4;
 constexpr double TriangleGap = 0.05;
@@ -38,7 +39,7 @@ CertificateOptions ProofOptions(const Options& options, const std::vector<double
   }
   question.ResultTriangleGap = TriangleGap * largest;
   question.RelativeGap = WholeGap;
-  question.LeastGap = WholeGap * largest;
+  question.MinGap = WholeGap * largest;
   question.WithBoundaries = options.MergePoints;
   question.ReferenceTriangleGap = options.MeasureInputDistances ? question.ResultTriangleGap : 0.0;
   question.NumberOfThreads = options.NumberOfThreads;
@@ -116,7 +117,8 @@ void ProveAgainst(const Surface& reference, const CertificateOptions& question,
   output.InputErrorBound = BoundsAtPoints(reference, found.ReferenceToResult.TriangleUpper);
 }
 
-/// With a reference, tolerances hold relative to the input and the largest error to the reference: the worse status is reported.
+/// With a reference, tolerances hold relative to the input and the largest error to the
+/// reference: the worse status is reported.
 void AddMapStatus(const Surface& input, const Options& options, const std::vector<double>& map,
   const Monitor& monitor, Result& output)
 {

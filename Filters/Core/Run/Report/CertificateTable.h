@@ -16,12 +16,13 @@
 namespace bonedecimate
 {
 /**
- * All entries, always in the same order: version, problem, status, lower, upper, sentence, slack, boundaries, seconds; left_out, as in
- * a report, of both surfaces; then for each
- * of reference_to_result, result_to_reference and, if a surface has boundaries, boundary_reference_to_result and
- * boundary_result_to_reference: .status, .lower, .upper, .x, .y, .z, .triangle, .nearest_triangle, .cuts; with a map
- * .excess.{lower, upper, x, y, z, triangle, nearest_triangle, cuts}; with means .mean, .mean_error, .rms, .rms_error,
- * .area, .samples. A certificate with a problem has only the first three.
+ * All entries, always in the same order: version, problem, status, lower, upper, sentence, slack,
+ * boundaries, seconds; left_out, as in a report, of both surfaces; then for each of
+ * reference_to_result, result_to_reference and, if a surface has boundaries,
+ * boundary_reference_to_result and boundary_result_to_reference: .status, .lower, .upper, .x, .y,
+ * .z, .triangle, .nearest_triangle, .cuts; with a map .excess.{lower, upper, x, y, z, triangle,
+ * nearest_triangle, cuts}; with means .mean, .mean_error, .rms, .rms_error, .area, .samples. A
+ * certificate with a problem has only the first three.
  */
 std::vector<ReportEntry> CertificateEntries(
   const Certificate& certificate, const std::vector<LeftOut>& leftOut = {});

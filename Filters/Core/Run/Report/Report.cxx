@@ -20,8 +20,8 @@ namespace bonedecimate
 namespace
 {
 constexpr double LabelChangeToTell = 0.01;
-/// A position of the result is told if it is farther than this of the input's diagonal, and than this many root mean squares of
-/// the distance: then it is the tip of a spike.
+/// A position of the result is told if it is farther than this of the input's diagonal, and than
+/// this many root mean squares of the distance: then it is the tip of a spike.
 constexpr double DistanceToTell = 0.05;
 constexpr double RatioToTell = 10.0;
 
@@ -140,7 +140,7 @@ std::string CoarseMessage(const CleaningStatistics& found, double gridStep)
   std::snprintf(text, sizeof(text),
     "%s alone moves %lld points farther than the largest error or their tolerances allow, by up to "
     "%.3g mm, the first is point %lld; %s leaves them where they are",
-    rounding, static_cast<long long>(found.CoarsePoints), found.LargestRounding,
+    rounding, static_cast<long long>(found.CoarsePoints), found.MaxRounding,
     static_cast<long long>(found.FirstCoarsePoint), remedy);
   return text;
 }
@@ -194,7 +194,7 @@ const char* RegionStatusWord(RegionStatus status)
 
 namespace
 {
-/// Of tolerances and edge lengths, one for each point.
+/// Rejection of tolerances or edge lengths, which have one value for each point.
 std::string NumbersMessage(const CleaningStatistics& found, InputStatus status)
 {
   const bool areLengths = status == InputStatus::BadEdgeLengths;

@@ -46,7 +46,7 @@ struct Report
   SurfaceStatistics Input; ///< After cleaning.
   SurfaceStatistics Output;
   CleaningStatistics Cleaning;
-  std::vector<Diagnostic> Diagnostics; ///< Of the whole input, if requested.
+  std::vector<Diagnostic> Diagnostics; ///< Irregularities of the whole input, if requested.
   PruneFigures Pruned;
   TunnelFigures Tunnels; ///< If any were closed, everything else refers to the closed surface.
   bool DistancesMeasured = false;
@@ -66,12 +66,13 @@ struct Report
   /// What of the input, or of the reference, the proof does not cover.
   std::vector<bonedecimate::LeftOut> LeftOut;
   VoxelFigures Voxel;
-  VoxelReport Voxels; ///< Of an input with a voxel grid.
+  VoxelReport Voxels; ///< For an input with a voxel grid.
   SizeFigures Size;
   SmoothingFigures Smoothing;
-  PartComparison Parts; ///< Of a surface that was smoothed as a whole: input and result.
-  /// mm, maxError of the thesis: the largest distance of a new vertex to the input, after each collapse in mode Thesis and
-  /// at the end in other modes. NaN if not measured (other modes without MeasureDistances and origins); tables omit it then.
+  PartComparison Parts; ///< Input and result of a surface that was smoothed as a whole.
+  /// mm, maxError of the thesis: the largest distance of a new vertex to the input, after each
+  /// collapse in mode Thesis and at the end in other modes. NaN if not measured (other modes
+  /// without MeasureDistances and origins); tables omit it then.
   double RunningError = 0.0;
   double NormalTolerance = 0.0; ///< The tolerance w of the thesis; only in mode Thesis.
   std::int64_t Collapses = 0;
@@ -84,7 +85,7 @@ struct Report
   ForcedCollapseFigures Forced; ///< Only in modes that make them, with an error bound.
   StageSeconds Seconds;
   std::uint64_t InputChecksum = 0;  ///< Mesh/Checksum.h.
-  std::uint64_t OutputChecksum = 0; ///< Of its triangles, in any order; Mesh/Checksum.h.
+  std::uint64_t OutputChecksum = 0; ///< Independent of the order of triangles; Mesh/Checksum.h.
   Options Requested;
   bool HasTolerances = false; ///< Whether there were tolerances of points.
 };

@@ -15,7 +15,8 @@
 
 namespace bonedecimate
 {
-/// Proved upper bound of the distance, both directions and open boundaries, mm; NaN without a proof.
+/// Proved upper bound of the distance, both directions and open
+/// boundaries, mm; NaN without a proof.
 double ProvedError(const Report& report);
 
 /// Largest distance by samples, both directions, mm; NaN if distances were not measured.
@@ -27,7 +28,8 @@ std::int64_t RejectedEdits(const Report& report);
 /// Number of edits that were rejected for the reason of that word; 0 for other words.
 std::int64_t RejectedEdits(const Report& report, const std::string& reason);
 
-/// Names of the entries that the output of a filter carries as arrays of their own, too; all others are in the JSON alone.
+/// Names of the entries that the output of a filter carries as arrays of their own, too;
+/// all others are in the JSON alone.
 const std::vector<std::string>& KeyFigures();
 
 /// The same of a certificate.

@@ -103,7 +103,7 @@ void AddReference(Entries& entries, const ReferenceFigures& reference)
 void AddLabels(Entries& entries, const Report& report)
 {
   entries.push_back({ "labels.count", "", static_cast<std::int64_t>(report.Labels.size()) });
-  entries.push_back({ "labels.largest_change", "", LargestLabelChange(report.Labels) });
+  entries.push_back({ "labels.largest_change", "", MaxLabelChange(report.Labels) });
   for (const LabelArea& area : report.Labels)
   {
     entries.push_back({ "labels.of_" + area.Name + ".input_area", "mm2", area.Input });
@@ -156,7 +156,7 @@ void AddVoxel(Entries& entries, const VoxelFigures& voxel)
   entries.push_back({ "voxel.from", "", std::string(WordOf(sources, voxel.From)) });
   entries.push_back({ "voxel.size", "mm", voxel.Size });
   entries.push_back({ "voxel.error", "mm", voxel.Error });
-  entries.push_back({ "voxel.largest_error", "mm", voxel.LargestError });
+  entries.push_back({ "voxel.largest_error", "mm", voxel.MaxError });
 }
 
 void AddSmoothing(Entries& entries, const SmoothingFigures& smoothing)
@@ -172,7 +172,7 @@ void AddSmoothing(Entries& entries, const SmoothingFigures& smoothing)
   entries.push_back({ "smoothing.in_voxels", "", std::int64_t(smoothing.IsInVoxels ? 1 : 0) });
   entries.push_back({ "smoothing.strength", "", smoothing.Strength });
   entries.push_back({ "smoothing.rms_displacement", "mm", smoothing.RmsDisplacement });
-  entries.push_back({ "smoothing.largest_displacement", "mm", smoothing.LargestDisplacement });
+  entries.push_back({ "smoothing.largest_displacement", "mm", smoothing.MaxDisplacement });
   entries.push_back({ "smoothing.angle_before", "degrees", smoothing.AngleBefore });
   entries.push_back({ "smoothing.angle_after", "degrees", smoothing.AngleAfter });
   entries.push_back({ "smoothing.area_before", "mm2", smoothing.AreaBefore });
@@ -209,8 +209,8 @@ void AddParts(Entries& entries, const PartComparison& compared)
   static const char* const kinds[] = { "not_compared", "components", "labels" };
   entries.push_back({ "parts.kind", "", std::string(WordOf(kinds, compared.Of)) });
   entries.push_back({ "parts.count", "", static_cast<std::int64_t>(compared.Parts.size()) });
-  entries.push_back({ "parts.smallest_volume", "mm3", compared.SmallestVolume });
-  const std::size_t listed = std::min(compared.Parts.size(), PartComparison::MostListed);
+  entries.push_back({ "parts.smallest_volume", "mm3", compared.MinVolume });
+  const std::size_t listed = std::min(compared.Parts.size(), PartComparison::MaxListed);
   for (std::size_t i = 0; i < listed; ++i)
   {
     AddPart(entries, "parts.list." + std::to_string(i), compared.Parts[i]);
@@ -239,7 +239,7 @@ void AddVoxels(Entries& entries, const VoxelReport& voxels)
 
 void AddRun(Entries& entries, const Report& report)
 {
-  if (report.Size.LargestError > 0.0)
+  if (report.Size.MaxError > 0.0)
   {
     entries.push_back({ "error_bound", "mm", report.Size.ErrorBound });
   }

@@ -26,13 +26,15 @@ struct ReportEntry
 };
 
 /**
- * All entries of a report, always in the same order. Entries of distances, reference, voxels, proof, boundaries, the gap
- * between fragments and labels are omitted if there are none.
+ * All entries of a report, always in the same order. Entries of distances, reference, voxels,
+ * proof, boundaries, the gap between fragments and labels are omitted if there are none.
  *
  *     version, stop_reason, stop_sentence
- *     input    .{faces, points, components, boundary_edges, non_manifold_edges, euler_number, area, volume}
- *              .{faces_read, points_read, merged_points, unused_points, dropped_triangles, first_dropped_triangle,
- *                non_manifold_points, first_non_manifold_point, constrained_points, checksum, problem}
+ *     input    .{faces, points, components, boundary_edges, non_manifold_edges, euler_number, area,
+ *                volume}
+ *              .{faces_read, points_read, merged_points, unused_points, dropped_triangles,
+ *                first_dropped_triangle, non_manifold_points, first_non_manifold_point,
+ *                constrained_points, checksum, problem}
  *     diagnostics .N.{kind, severity, sentence, count, length}, with DiagnoseInput
  *              .N.{first_points, first_triangles}.K
  *     pruned   .{components, faces}, if pruning was requested
@@ -40,7 +42,8 @@ struct ReportEntry
  *     weld     .{points, movement}, with WeldDistance
  *     output   .{faces ... volume, checksum}
  *     distance .{output_to_input, input_to_output}
- *                .{max, second, mean, rms, point_max, point_mean, point_rms, samples, samples_per_mm2}
+ *                .{max, second, mean, rms, point_max, point_mean, point_rms, samples,
+ *                  samples_per_mm2}
  *              .{boundary_output_to_input, boundary_input_to_output}.{lower, upper}
  *     voxel    .{from, size, error, largest_error}
  *     smoothing.{surface, bound, ..., rounds}

@@ -7,15 +7,15 @@ namespace bonedecimate
 void AddShape(Entries& entries, const std::string& path, const ShapeStatistics& shape)
 {
   AddIfKnown(entries, path + ".smallest_angle", "degrees", shape.SmallestAngle);
-  AddIfKnown(entries, path + ".largest_angle", "degrees", shape.LargestAngle);
+  AddIfKnown(entries, path + ".largest_angle", "degrees", shape.MaxAngle);
   AddIfKnown(entries, path + ".mean_radius_ratio", "", shape.MeanRadiusRatio);
-  AddIfKnown(entries, path + ".largest_radius_ratio", "", shape.LargestRadiusRatio);
+  AddIfKnown(entries, path + ".largest_radius_ratio", "", shape.MaxRadiusRatio);
   AddIfKnown(entries, path + ".mean_aspect_ratio", "", shape.MeanAspectRatio);
-  AddIfKnown(entries, path + ".largest_aspect_ratio", "", shape.LargestAspectRatio);
-  for (std::size_t bin = 0; bin < shape.SmallestAngles.size(); ++bin)
+  AddIfKnown(entries, path + ".largest_aspect_ratio", "", shape.MaxAspectRatio);
+  for (std::size_t bin = 0; bin < shape.MinAngles.size(); ++bin)
   {
     entries.push_back(
-      { path + ".smallest_angles." + std::to_string(bin), "", shape.SmallestAngles[bin] });
+      { path + ".smallest_angles." + std::to_string(bin), "", shape.MinAngles[bin] });
   }
 }
 
@@ -34,7 +34,7 @@ void AddShapeLimits(Entries& entries, const Report& report)
   {
     entries.push_back({ "edges.mean_length", "mm", report.Edges.Mean });
     entries.push_back({ "edges.longest", "mm", report.Edges.Longest });
-    AddIfKnown(entries, "edges.least_requested", "mm", report.Edges.LeastRequested);
+    AddIfKnown(entries, "edges.least_requested", "mm", report.Edges.MinRequested);
     entries.push_back({ "edges.longer", "", report.Edges.Longer });
     entries.push_back({ "edges.shorter", "", report.Edges.Shorter });
     if (report.Edges.Longer > 0)

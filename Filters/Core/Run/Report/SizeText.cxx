@@ -21,7 +21,7 @@ std::string Millimeters(double length)
 /// "the largest error of 50 mm"
 std::string ErrorText(const SizeFigures& size)
 {
-  const std::string number = SentenceNumber(size.LargestError);
+  const std::string number = SentenceNumber(size.MaxError);
   return size.Point < 0
     ? "the largest error of " + number + " mm"
     : "the tolerance of " + number + " mm of point " + std::to_string(size.Point);
@@ -47,7 +47,7 @@ std::vector<std::string> SizeWarnings(const SizeFigures& size)
     warnings.push_back("the diagonal of the input's bounding box is " + Millimeters(size.Diagonal) +
       ", which is not the size of a bone; the coordinates may not be in millimeters");
   }
-  if (size.ErrorBound < size.LargestError)
+  if (size.ErrorBound < size.MaxError)
   {
     warnings.push_back(ErrorText(size) +
       " is more than the diagonal of the input's bounding box; " + Millimeters(size.ErrorBound) +

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the README's example for ParaView on a surface named Contour1."""
+"""Runs the example of Documentation/paraview.md on a surface named Contour1."""
 
 import os
 import pathlib
@@ -12,17 +12,18 @@ from paraview import simple
 import specimens
 import surfaces
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Readme"))
-import readme  # noqa: E402
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PROJECT / "Testing" / "Readme"))
+from code_blocks import block  # noqa: E402
 
 
-class Readme(unittest.TestCase):
+class Example(unittest.TestCase):
     def test_example_decimates_the_contour_with_a_proved_error(self):
         contour = surfaces.source(specimens.torus(60, 40))
         simple.RenameSource("Contour1", contour)
         names = {}
-        text = readme.block("ParaView", "python").replace('"BoneDecimate.so"', repr(os.environ["PLUGIN"]))
-        exec(compile(text, "README.md", "exec"), names)
+        text = block(PROJECT / "Documentation" / "paraview.md", "First bone", "python").replace('"BoneDecimate.so"', repr(os.environ["PLUGIN"]))
+        exec(compile(text, "paraview.md", "exec"), names)
         report = surfaces.report(names["bone"])
         self.assertLess(report["bonedecimate.output.triangles"], report["bonedecimate.input.triangles"])
         self.assertLessEqual(report["bonedecimate.proof.if_unchanged.upper"], 0.3)
