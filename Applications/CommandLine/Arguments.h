@@ -99,7 +99,7 @@ void TakeFiles(Arguments& arguments);
 /// Whether there are many bones, and the output is a folder for them.
 bool IsBatch(const Arguments& arguments);
 
-/// By an extension that this program reads or writes.
+/// Whether the extension is one that this program reads or writes.
 bool IsNamedLikeFile(std::string path);
 
 /**

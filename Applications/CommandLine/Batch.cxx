@@ -95,7 +95,7 @@ private:
     ChildProcess Child;
   };
 
-  /// Those that have no file in the end go again.
+  /// Makes a folder, which is removed again if it ends up empty.
   void MakeFolder(const std::string& path)
   {
     std::error_code error;

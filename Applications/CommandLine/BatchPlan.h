@@ -26,7 +26,7 @@ struct BatchBone
   std::string Report;
   bool Volume = false;
   std::string WhyNot;                  ///< Why the input is left out; empty for a bone.
-  ExitCode CodeIfNot = ExitCode::Done; ///< Exit code of the batch if it is left out.
+  ExitCode CodeIfNot = ExitCode::Done; ///< Its exit code in the batch if it is left out.
 
   bool IsBone() const { return this->WhyNot.empty(); }
 };

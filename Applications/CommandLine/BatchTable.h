@@ -35,8 +35,8 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows);
 /// The first line of the table.
 std::string BatchHeading(std::size_t nameWidth);
 
-/// The line of a row. @param nameWidth Of the longest name; a longer one moves the rest of its
-/// line.
+/// The line of a row.
+/// @param nameWidth Width of the longest name; a longer one moves the rest of its line.
 std::string BatchLine(const BatchRow& row, std::size_t nameWidth);
 
 /// "12 files: 10 done, 1 skipped, 1 failed".

@@ -30,7 +30,7 @@ bool IsValue(const std::string& word)
   return word != "--" && (word.rfind("--", 0) != 0 || !IsOption(word));
 }
 
-/// Those that --help lists, without dashes.
+/// Names of the options that --help lists, without dashes.
 std::vector<std::string> OptionNames(const CLI::App& command)
 {
   std::vector<std::string> names;

@@ -52,8 +52,8 @@ CLI::Option* AddNumber(
 CLI::Option* AddNumberList(
   CLI::App& app, const NumberOption& option, const std::function<void(double)>& append);
 
-/// Adds an option that takes the name of a file. @param kind Of Tree/FileKinds.h, in the help the
-/// name of the value.
+/// Adds an option that takes the name of a file.
+/// @param kind Kind of Tree/FileKinds.h, in the help the name of the value.
 void AddFile(
   CLI::App& app, const char* flag, const char* kind, std::string& value, const char* help);
 

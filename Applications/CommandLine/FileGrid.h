@@ -28,7 +28,7 @@ void AddFileOptions(CLI::App& app, Arguments& arguments);
 void AddGlbCompression(
   CLI::App& app, bool& compresses, const std::function<void(const std::string&)>& given);
 
-/// Those options against the outputs. @throws Failure(ExitCode::Usage)
+/// Checks the options of AddFileOptions() against the outputs. @throws Failure(ExitCode::Usage)
 void CheckFileOptions(const Arguments& arguments);
 
 /// Whether some output has its coordinates on a grid.
@@ -37,7 +37,7 @@ bool WritesGrid(const Arguments& arguments);
 /**
  * mm, the step of the grid for what is made from this surface.
  * @param error mm, the largest error; 0: none, or not known.
- * @param path Of the surface, for messages.
+ * @param path Path of the surface, for messages.
  * @throws Failure(ExitCode::InputRejected) if rounding would take more than half of the error.
  */
 double GridStepFor(vtkPolyData* surface, double error, int bits, const std::string& path);

@@ -70,7 +70,7 @@ struct RoundedResult
 
 /**
  * @param result A proved result, mm.
- * @param inFile The same as the file will have it.
+ * @param inFile The result as the file will have it.
  * @throws Failure(ExitCode::InputRejected) if the rounding puts points onto each other,
  * Failure(ExitCode::Undecided) if the largest error is less than the sum.
  */

@@ -27,7 +27,7 @@ void ApplyOptions(const Options& options, vtkBoneDecimate* filter);
  */
 Options OptionsForFiles(const Arguments& arguments);
 
-/// For SetMode() of any filter that has one.  @param name Of a mode, validated, in any case.
+/// The number for SetMode() of any filter. @param name Name of a mode, validated, in any case.
 int ModeNumber(const std::string& name);
 }
 

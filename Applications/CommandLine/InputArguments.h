@@ -49,8 +49,8 @@ void NeedPointArray(vtkPolyData* surface, const std::string& array, const std::s
 /**
  * The surface with an array of tolerances from the regions, if there are any, which becomes that of
  * the filter.
- * @param array The array of tolerances that was requested; empty: none.  @param path Of the
- *   surface, for messages.
+ * @param array The array of tolerances that was requested; empty: none.
+ * @param path Path of the surface, for messages.
  * @throws Failure(ExitCode::InputRejected) if the surface lacks the array.
  */
 vtkSmartPointer<vtkPolyData> ApplyRegions(const std::vector<Region>& regions, std::string array,

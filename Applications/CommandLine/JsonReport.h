@@ -76,7 +76,7 @@ struct CertificateSubject
 /// @param output Null: distances were not proved.
 std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject& subject);
 
-/// As a file has it; a name that is not UTF-8 is no reason to have no report.
+/// The text for a file. Bytes of names that are not UTF-8 do not prevent a report.
 std::string JsonText(const nlohmann::ordered_json& json);
 
 /// @throws Failure(ExitCode::CouldNotWrite)

@@ -40,12 +40,12 @@ struct LabelMapFile
 /// @param flags Flags of the option for the map.
 void AddLabelMap(CLI::App& app, LabelMapFile& map, const char* flags, const char* help);
 
-/// Requires that --label is given only with a map. @param flag Of the map. @throws
-/// Failure(ExitCode::Usage)
+/// Requires that --label is given only with a map.
+/// @param flag Flag of the map. @throws Failure(ExitCode::Usage)
 void CheckLabel(const LabelMapFile& map, const std::string& flag);
 
-/// Requires that --spacing is given only with a map or input that needs it. @param inputs That are
-/// read with it, too.
+/// Requires that --spacing is given only with a map or input that needs it.
+/// @param inputs Inputs that are read with the spacing, too.
 /// @throws Failure(ExitCode::Usage)
 void CheckSpacing(const LabelMapFile& map, const std::vector<std::string>& inputs = {});
 

@@ -82,7 +82,7 @@ vtkSmartPointer<vtkPolyData> FromMillimeters(
  * The message, with --unit and --allow-large-error named where it doubts that coordinates are in
  * millimeters.
  * @param source The file that it is about; one that names its unit takes no --unit.
- * @param unit That was requested.
+ * @param unit Requested unit.
  */
 std::string WithUnitHint(std::string message, const std::string& source, const LengthUnit& unit);
 }

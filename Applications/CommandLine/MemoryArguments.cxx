@@ -81,7 +81,7 @@ void CheckMemory(const Arguments& arguments)
     return;
   }
   Options options = arguments.Options;
-  // that of the volume is not known yet
+  // not known before the volume is read
   options.VoxelSize = options.VoxelSize > 0.0 ? options.VoxelSize : 1.0;
   const SlabRun run(options, {});
   if (run.Status() != SlabStatus::Good)

@@ -27,7 +27,7 @@ public:
   /// @param arguments Must outlive this object.
   explicit OutputRounding(const Arguments& arguments);
 
-  /// @param input mm. @param inFile The same in the unit of its file; null: a volume.
+  /// @param input mm. @param inFile The input in the unit of its file; null: a volume.
   void SetInput(vtkPolyData* input, vtkPolyData* inFile);
 
   /// Sets the grid, or reduces the largest error by what writing rounds. @throws

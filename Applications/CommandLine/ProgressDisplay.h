@@ -33,7 +33,7 @@ public:
   /// @param phase "reading".
   void Begin(const std::string& phase);
 
-  /// @param fraction Of the phase that is done, 0 to 1.
+  /// @param fraction Fraction of the phase that is done, 0 to 1.
   void Show(double fraction);
 
   /// Removes the bar.

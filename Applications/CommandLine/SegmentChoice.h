@@ -38,13 +38,13 @@ struct FoundSegments
   std::vector<std::string> Warnings;
 };
 
-/// As NoLabelReason, of segments that were chosen.
+/// Begin of a sentence like NoLabelReason, about segments that were chosen.
 inline constexpr const char* NoChosenVoxelReason = "no voxel belongs to what --segments chooses, ";
 
 /**
  * Names and colors are those of FindLabelNames().
- * @param labels CollectLabels() of all voxels.  @param fields Of the map.  @param path Of the map,
- *   for messages.
+ * @param labels CollectLabels() of all voxels.  @param fields Field data of the map.
+ * @param path Path of the map, for messages.
  * @throws Failure(ExitCode::InputRejected) if there are none, or so many that they are gray values.
  */
 FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,

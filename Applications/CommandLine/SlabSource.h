@@ -50,7 +50,7 @@ public:
   /**
    * Opens the volume again, to be read in slabs of about as many triangles, or of two layers, or to
    * the end of the volume.
-   * @param largestBytes Of the voxels of a slab.
+   * @param largestBytes Largest size of the voxels of a slab.
    * @return The number of slabs.
    */
   virtual std::size_t Divide(std::int64_t triangles, std::int64_t largestBytes) = 0;

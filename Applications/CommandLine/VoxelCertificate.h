@@ -26,12 +26,12 @@ public:
   VoxelCertificate();
   ~VoxelCertificate();
 
-  /// @param file That of the surface, for messages. @throws Failure(ExitCode::InputRejected)
+  /// @param file File of the surface, for messages. @throws Failure(ExitCode::InputRejected)
   void Compare(vtkPolyData* surface, const std::string& file, const LabelMapFile& map, int threads,
     std::vector<std::string>& warnings);
 
   bool IsViolated() const;
-  /// As the report of a decimation has it.
+  /// The comparison as in the report of a decimation.
   nlohmann::ordered_json Json() const;
   void Print() const;
 

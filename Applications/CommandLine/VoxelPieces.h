@@ -36,7 +36,7 @@ struct ChangedPieces
   double CavityVolume = 0.0; ///< mm3
 };
 
-/// By label; of a gray value by 1.
+/// Changed pieces by label; for gray values the label is 1.
 using PiecesOfLabels = std::map<std::int64_t, ChangedPieces>;
 
 /// Adds --fill-volume.

@@ -27,8 +27,8 @@ void RequireSameTriangles(vtkPolyData* proved, vtkPolyData* readBack, const std:
 
 /**
  * Requires that a run did not end with a bound that is violated or undecided.
- * @param status Of the report: proof.status.
- * @param message Why.
+ * @param status Status in the report: proof.status.
+ * @param message Why the bound is violated or undecided.
  * @throws Failure(ExitCode::Violated) or Failure(ExitCode::Undecided)
  */
 void RequireProof(const std::string& status, const std::string& input, const std::string& message);

@@ -17,7 +17,7 @@ namespace bonedecimate
 /// Where the colors end, mm: a readable number not below 99.9 % of the distances (ascending).
 double ColorRange(const std::vector<double>& sorted);
 
-/// From 0 to range (mm).
+/// Colors of distances from 0 to range, mm.
 vtkSmartPointer<vtkColorTransferFunction> DistanceColors(double range);
 }
 

@@ -13,7 +13,7 @@
 
 namespace bonedecimate
 {
-/// As HTML; empty if parts were not compared.
+/// The section as HTML; empty if parts were not compared.
 std::string PartSection(const ReportFields& report);
 
 /// "label 2", or "component at 1.0, 2.0, 3.0 mm".  @param part Its position in the list of the

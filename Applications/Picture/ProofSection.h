@@ -25,8 +25,8 @@ std::string ProofSection(const ReportFields& report);
 /// without a proof.
 std::string ProofClause(const ReportFields& report);
 
-/// What is proved of the levels of a run. @param report Of the run; of none if the levels come from
-/// a log.
+/// What is proved of the levels of a run.
+/// @param report Report of the run; an empty one if the levels come from a log.
 std::string LevelsProof(const ReportFields& report);
 }
 

@@ -13,7 +13,7 @@
 
 namespace bonedecimate
 {
-/// As HTML; empty unless tunnels were to be closed.
+/// The section as HTML; empty unless tunnels were to be closed.
 std::string TunnelSection(const ReportFields& report);
 }
 

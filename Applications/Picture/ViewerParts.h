@@ -40,9 +40,9 @@ class ViewerDivision
 {
 public:
   /**
-   * @param original Triangles. @param labels Those of its BoundaryLabels, without the background;
-   * if there are none, its components are the parts, the largest first. Beyond forty the small ones
-   * are one part together.
+   * @param original A surface of triangles.
+   * @param labels The labels in its BoundaryLabels, without the background. If there are none, its
+   * components are the parts, the largest first. Beyond forty the small ones are one part together.
    */
   ViewerDivision(vtkPolyData* original, const std::vector<NamedLabel>& labels);
 

@@ -34,7 +34,7 @@ struct Frame
 /**
  * From the front, a little from above and from one side: the side from which more of the distance
  * faces the viewer.
- * @param surface Triangles. @param distances Of its points, mm; may be null.
+ * @param surface A surface of triangles. @param distances Distances of its points, mm; may be null.
  */
 Viewpoint ChooseViewpoint(vtkPolyData* surface, vtkDataArray* distances);
 

@@ -14,7 +14,7 @@
 
 namespace bonedecimate
 {
-/// As HTML; empty if the voxels were not compared.
+/// The section as HTML; empty if the voxels were not compared.
 std::string VoxelSection(const ReportFields& report);
 
 /// The largest error, in units of the smallest spacing of the voxels; nothing if there is none or

@@ -46,7 +46,7 @@ public:
   /// Whether the format gives no single layers, so that a process holds all voxels.
   bool IsReadWhole() const { return this->ReadsWhole; }
 
-  /// About how many the surface has.
+  /// Approximate number of triangles of the surface.
   std::int64_t GetNumberOfTriangles() const;
 
   /// Perpendicular to the layers, of length 1; slabs follow each other along it.
@@ -59,7 +59,7 @@ public:
   /**
    * Opens the volume again, to be read in slabs of about as many triangles, or of two layers, or to
    * the end of the volume.
-   * @param largestBytes Of the voxels of a slab.
+   * @param largestBytes Largest size of the voxels of a slab.
    * @return The number of slabs.
    */
   std::size_t Divide(std::int64_t triangles, std::int64_t largestBytes);

@@ -30,8 +30,7 @@ struct DataFile
 /// 0 if it cannot be read.
 std::uint64_t SizeOfFile(const std::string& path);
 
-/// From the given byte to the end of a file that a header names by its path from the header's
-/// folder.
+/// The data from the given byte to the end of a file that a header names relative to its folder.
 DataFile DataFileBeside(
   const std::string& header, const std::string& name, std::uint64_t begin, bool isCompressed);
 

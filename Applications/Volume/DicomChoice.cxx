@@ -40,7 +40,7 @@ SeriesChoice Impossible(const std::string& problem, const Entries& entries)
   return choice;
 }
 
-/// Those for which the predicate is true.
+/// Indices of the entries for which the predicate is true.
 std::vector<std::size_t> Matches(
   const Entries& entries, const std::function<bool(const SeriesEntry&)>& isMatch)
 {

@@ -16,14 +16,14 @@
 
 namespace bonedecimate::volume
 {
-/// By the four letters that follow a preamble of 128 bytes.
+/// Whether the four letters that follow a preamble of 128 bytes are those of DICOM.
 bool IsDicomFile(const std::string& path);
 
 /// The DICOM files that lie in the folder itself, by name.
 std::vector<std::string> DicomFiles(const std::string& folder);
 
-/// Those in it and in the folders below, to a depth of 8; links to folders are not followed. @param
-/// most Of these.
+/// The DICOM files in the folder and in the folders below, to a depth of 8. Links to folders are
+/// not followed. @param most Largest number of files.
 std::vector<std::string> DicomFilesBelow(const std::string& folder, std::size_t most = 1 << 20);
 
 /// What ChooseSeries() was called with.

@@ -150,7 +150,7 @@ bool IsDamaged(const gdcm::Scanner& scanner, const std::string& file)
         Text(scanner, file, tags::PixelSpacing).empty()));
 }
 
-/// Notes what one file is. @param folder That is read.
+/// Notes what one file is. @param folder The folder that is read.
 void AddFile(const gdcm::Scanner& scanner, const std::string& file, const std::string& folder,
   ScannedFiles& scanned)
 {

@@ -28,7 +28,7 @@ struct ScannedFiles
   std::size_t Images = 0; ///< Files that have slices.
 };
 
-/// @param folder That is read; the files may lie below.
+/// @param folder The folder that is read; the files may lie below.
 ScannedFiles ScanFiles(const std::vector<std::string>& files, const std::string& folder);
 }
 

@@ -55,10 +55,11 @@ using DicomSlices = std::vector<DicomSlice>;
 /// The slices, in any order, by series; CT before any other modality, then the largest first.
 std::vector<DicomSlices> GroupSeries(const DicomSlices& slices);
 
-/// "24 slices in S1/S20 from IM0001.dcm on". @param folder In which they are, or below.
+/// "24 slices in S1/S20 from IM0001.dcm on". @param folder The folder above them.
 std::string GroupText(const DicomSlices& group, const std::string& folder);
 
-/// One of the groups. @param isRequested By the user; otherwise the note names the others.
+/// Takes one of the groups.
+/// @param isRequested Whether the user requested it; otherwise the note names the others.
 DicomSeries TakeSeries(const std::vector<DicomSlices>& groups, std::size_t index, bool isRequested,
   const std::string& folder);
 }

@@ -34,7 +34,7 @@ namespace bonedecimate::volume
 class FieldOfView
 {
 public:
-  /// @param value Of the surface.
+  /// @param value Value of the surface.
   explicit FieldOfView(double value)
     : Value(value)
   {

@@ -207,8 +207,8 @@ private:
     return note + "; they are read where they are";
   }
 
-  /// @param parts Of each gap: planes from one plane with frames to the next.
-  /// @param distance If there is one plane alone.
+  /// @param parts For each gap, the planes from one plane with frames to the next.
+  /// @param distance Distance of planes if there is one plane alone.
   void NumberPlanes(const std::vector<double>& parts, double distance, FrameGrid& grid) const
   {
     grid.Problem.clear();

@@ -25,10 +25,10 @@ HeaderUnit UnitOf(const std::string& text);
 /// Why a unit is rejected; empty if it is not.
 std::string UnitProblem(const HeaderUnit& unit);
 
-/// That lengths were converted; empty if they were not.
+/// Tells the user that lengths were converted; empty if they were not.
 std::string UnitNote(const HeaderUnit& unit);
 
-/// From the unit to mm.
+/// The geometry, converted from the unit to mm.
 VolumeGeometry InMillimeters(const VolumeGeometry& geometry, const HeaderUnit& unit);
 }
 

@@ -39,7 +39,7 @@ public:
    */
   explicit IsolatedReader(const std::function<LayeredVolume()>& open);
 
-  /// Without a child: of a file that is rejected without a look into it.
+  /// Makes a reader without a child, for a file that is rejected before it is opened.
   explicit IsolatedReader(const std::string& problem);
 
   ~IsolatedReader();

@@ -16,7 +16,7 @@ namespace bonedecimate::volume
 {
 /**
  * @param triangles About how many there are between each layer and the next one.
- * @param mostTriangles,mostLayers Of a slab; it has at least two layers.
+ * @param mostTriangles,mostLayers Limits of a slab, which has at least two layers.
  * @return The last layer of each slab.
  */
 std::vector<std::int64_t> DivideLayers(

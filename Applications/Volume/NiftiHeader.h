@@ -33,7 +33,7 @@ public:
   NiftiBytes(const NiftiBytes&) = delete;
   NiftiBytes& operator=(const NiftiBytes&) = delete;
 
-  /// From there on; fewer where the file ends.
+  /// Reads the next bytes; returns fewer at the end of the file.
   const std::vector<unsigned char>& Read(std::uint64_t count)
   {
     this->Bytes.resize(count);
@@ -118,7 +118,7 @@ public:
     return UnitOf(units[this->At<unsigned char>(123) & 7]);
   }
 
-  /// Without a slope, an intercept does not count.
+  /// Whether values are scaled. Without a slope, an intercept does not count.
   bool HasScale() const
   {
     const float slope = this->At<float>(112);

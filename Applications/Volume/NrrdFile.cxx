@@ -167,7 +167,7 @@ private:
     for (unsigned int axis = 0; axis < this->Header->dim && step < 3; ++axis)
     {
       const double x = this->Header->axis[axis].spaceDirection[0];
-      if (!std::isnan(x)) // those of values and layers have no direction
+      if (!std::isnan(x)) // axes of values and layers have no direction
       {
         const double product = x * geometry.Steps[step++][0];
         largest = std::abs(product) > std::abs(largest) ? product : largest;

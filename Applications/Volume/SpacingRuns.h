@@ -22,7 +22,7 @@ struct SpacingRun
   double Distance = 0.0; ///< Mean, mm.
 };
 
-/// By more than positions are rounded.
+/// Whether a distance differs from the usual one by more than positions are rounded.
 bool IsOtherDistance(double distance, double usual);
 
 std::vector<SpacingRun> RunsOf(const std::vector<double>& distances);

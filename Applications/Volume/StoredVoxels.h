@@ -21,7 +21,7 @@ enum class ByteOrder
 };
 
 /**
- * @param header Of a file whose size was checked: DataProblem().
+ * @param header Header of a file whose size was checked: DataProblem().
  * @param data Holds numbers of the header's type and nothing else.
  */
 LayeredVolume StoredLayers(const ItkHeader& header, const DataFile& data, ByteOrder order);

@@ -14,7 +14,7 @@
 
 namespace bonedecimate::volume
 {
-/// Without blanks, line ends and zeros at either end.
+/// The text without blanks, line ends and zeros at either end.
 std::string Trimmed(const std::string& text);
 
 /// Numbers between blanks, commas or backslashes; none if anything else is there.

@@ -68,7 +68,7 @@ VolumeKind KindByExtension(const fs::path& name)
   return found == std::end(Extensions) ? VolumeKind::None : found->Kind;
 }
 
-/// Those that TakeSeriesBelow() was called for.
+/// The folders that TakeSeriesBelow() was called for.
 std::set<std::string>& FoldersOfSeries()
 {
   static std::set<std::string> folders;

@@ -18,8 +18,9 @@
 
 namespace bonedecimate::volume
 {
-/// The reader goes by the extension. @param spacing Of files without one. @param selection Of
-/// segments that overlap.
+/// Opens a volume; the extension decides on the reader.
+/// @param spacing Spacing of files without one.
+/// @param selection Selection of segments that overlap.
 std::unique_ptr<IsolatedReader> OpenVolume(const std::string& path,
   const VoxelSpacing& spacing = {}, const SegmentSelection& selection = {});
 

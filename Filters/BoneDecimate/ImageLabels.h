@@ -27,8 +27,8 @@ struct ImageLabels
   std::string Problem; ///< One sentence; empty if the image has labels.
 };
 
-/// @param array Of the image; may be null. @param association Of vtkDataObject::FieldAssociations:
-///   points or cells.
+/// @param array Array of the image; may be null.
+/// @param association One of vtkDataObject::FieldAssociations: points or cells.
 ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association);
 
 /// Requests all of the image, whatever part the consumer requests.

@@ -27,7 +27,7 @@ class vtkPolyData;
 namespace bonedecimate
 {
 /// Nothing if the array is null or has other values than whole numbers.
-/// @param association Of vtkDataObject::FieldAssociations: points or cells.
+/// @param association One of vtkDataObject::FieldAssociations: points or cells.
 std::optional<Labels> ReadLabels(
   vtkPolyData* input, const ConvertedSurface& converted, vtkDataArray* array, int association);
 

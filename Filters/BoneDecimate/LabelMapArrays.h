@@ -61,8 +61,8 @@ struct ReadLabelMap
 };
 
 /**
- * Reads the arrays back. Those that are not there are empty, without a grid its dimensions are 0.
- * Without LabelValues the values are those of BoundaryLabels, ascending, with 0 as background.
+ * Reads the arrays back. Missing arrays are empty; without a grid its dimensions are 0. Without
+ * LabelValues the values are those of BoundaryLabels, ascending, with 0 as background.
  *
  * @param converted The same surface in the core's form; says of which cell each triangle is.
  */

@@ -32,7 +32,7 @@ struct LabelMapOfRun
   ImageLabels Image;   ///< Without labels: none was given.
   std::string Problem; ///< One sentence; empty if the surface and the map suit each other.
 
-  /// For RunInputs; null: no grid is known.
+  /// The source for RunInputs; null: no grid is known.
   const LabelMapSource* Known() const
   {
     return this->Source.Grid.Dimensions[0] > 0 ? &this->Source : nullptr;
@@ -52,7 +52,7 @@ struct LabelMapRequest
   std::int64_t Label = 0;
 };
 
-/// @param options Of the run.
+/// @param options Options of the run.
 LabelMapOfRun ReadLabelMapOfRun(vtkPolyData* input, const ConvertedSurface& converted,
   const LabelMapRequest& request, const Options& options);
 

@@ -18,7 +18,7 @@ class vtkPolyData;
 
 namespace bonedecimate
 {
-/// In the order polygons, lines, vertices, and then what the reader left out.
+/// Finds what is left out, in this order: polygons, lines, vertices, what the reader left out.
 std::vector<LeftOutShape> FindLeftOut(
   vtkPolyData* input, const std::vector<Vector3>& points, const TriangulatedCells& cells);
 }

@@ -22,17 +22,17 @@ namespace bonedecimate
 /// the input.
 struct PassedIds
 {
-  std::vector<vtkIdType> Points; ///< Those after the surface's.
-  std::vector<vtkIdType> Cells;  ///< Those before the triangles.
+  std::vector<vtkIdType> Points; ///< Points after those of the surface.
+  std::vector<vtkIdType> Cells;  ///< Cells before the triangles.
 };
 
 class PassedCells
 {
 public:
-  /// @param points Of the output: points of the cells are appended when they are met first.
+  /// @param points Points of the output; those of a cell are appended at their first use.
   PassedCells(vtkPolyData* input, vtkPoints* points);
 
-  /// Those whose ids are right.  @param firstCell Id of the first of these cells.
+  /// Passes the cells whose ids are valid.  @param firstCell Id of the first of these cells.
   vtkSmartPointer<vtkCellArray> Pass(vtkCellArray* cells, vtkIdType firstCell);
 
   const PassedIds& Ids() const { return this->Passed; }

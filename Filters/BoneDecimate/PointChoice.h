@@ -31,7 +31,7 @@ PointChoice ChoosePoints(vtkDataArray* values, const Counts& counts, bool invert
 PointChoice ChooseCells(
   vtkPolyData* surface, vtkDataArray* values, const Counts& counts, bool inverted);
 
-/// By points if the selection names points, else by cells.
+/// Chooses by points if the selection names points, else by cells.
 PointChoice ChooseBySelection(vtkPolyData* surface, vtkSelection* selection, bool inverted);
 
 /// mm, in a straight line from each point to the nearest that is chosen; `most` where that is

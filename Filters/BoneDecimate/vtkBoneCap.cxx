@@ -69,8 +69,8 @@ std::vector<bonedecimate::Triangle> Triangulate(const bonedecimate::Contours& co
   return triangles;
 }
 
-/// The cells of caps behind those of the input, with their arrays.
-/// @param converted From triangles to cells of the input.
+/// Appends the cells of caps to those of the input, with their arrays.
+/// @param converted Maps triangles to cells of the input.
 void Append(const bonedecimate::CapsOfSurface& caps,
   const bonedecimate::ConvertedSurface& converted, vtkPolyData* input, vtkPolyData* output)
 {

@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkBoneDecimate);
 
 namespace
 {
-/// Both outputs.  @param map Of the input; null: not known.
+/// Fills both outputs. @param map Label map of the input; null: not known.
 void FillOutputs(const bonedecimate::Result& result,
   const bonedecimate::ConvertedSurface& converted, const bonedecimate::Options& options,
   const bonedecimate::LabelMapSource* map, vtkPolyData* input, vtkInformationVector* outputs)

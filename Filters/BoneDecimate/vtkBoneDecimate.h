@@ -179,10 +179,10 @@ protected:
 
   /// The input is from now on a part of a surface whose size has been accepted. Its options must
   /// not smooth.
-  /// @param isShared Of each point: whether other parts have it, too; it and the corners of its
-  ///   triangles are not edited.
-  /// @param smoothedPoints Of the points of the part, as SmoothPoints() returns them; empty:
-  ///   nothing was smoothed.
+  /// @param isShared For each point, whether other parts have it, too. It and the corners of its
+  /// triangles are not edited.
+  /// @param smoothedPoints Positions of the points of the part, as SmoothPoints() returns them;
+  /// empty: nothing was smoothed.
   void SetPart(const std::vector<char>& isShared, const std::vector<double>& smoothedPoints);
 
   /// After SetPart(): what other parts have near this one. Triangles within the distance of it are

@@ -130,7 +130,7 @@ public:
   /// what the report proves was proved of another surface.
   static bool HasReportOfItself(vtkPolyData* surface);
 
-  /// That checksum, "triangles:0123456789abcdef".
+  /// The checksum of the triangles of a surface, "triangles:0123456789abcdef".
   static std::string GetTriangleChecksum(vtkPolyData* surface);
 
   /// Number of entries of the report as a flat list of named values ("output.triangles",

@@ -18,7 +18,7 @@ namespace bonedecimate
 /// mm
 using Position = std::array<double, 3>;
 
-/// In ascending order, each once.
+/// Positions in ascending order, each once.
 using Positions = std::vector<Position>;
 
 /// The corners of the triangles.

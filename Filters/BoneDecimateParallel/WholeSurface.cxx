@@ -17,7 +17,7 @@
 namespace
 {
 /// Hands each process its numbers.
-/// @param all Of all processes in their order, on process 0 alone.
+/// @param all Values of all processes in their order, on process 0 alone.
 std::vector<double> Scattered(
   std::vector<double> all, vtkIdType own, vtkMultiProcessController* controller)
 {

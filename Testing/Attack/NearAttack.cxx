@@ -26,7 +26,7 @@ struct Parts
   std::vector<Surface> Components; // each has all points
 };
 
-/// @param outputPoint Of each point of the input, that of the surface; empty: the same.
+/// @param outputPoint For each point of the input, the point of the surface; empty: the same.
 Parts PartsOf(const Surface& surface, const std::vector<Surface>& components,
   const std::vector<Index>& outputPoint)
 {

@@ -251,7 +251,7 @@ bool PrintModes(const std::string& word)
 
 int main(int argumentCount, char** words)
 {
-  vtkObject::GlobalWarningDisplayOff(); // the same few words about the bones in every run
+  vtkObject::GlobalWarningDisplayOff(); // warnings about the bones repeat in every run
   try
   {
     if (argumentCount == 2 && PrintModes(words[1]))

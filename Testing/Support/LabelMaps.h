@@ -34,11 +34,11 @@ LabelMap NoiseLabels(const std::array<Index, 3>& size, int labels, std::uint64_t
 /// Two halves of an ellipsoid and a core that touches both, labels 1 to 3.
 LabelMap EllipsoidLabels(const std::array<Index, 3>& size);
 
-/// Another origin and anisotropic spacing; the axes are turned about all three axes, and the last
-/// one is reversed if mirrored.
+/// A grid with another origin and anisotropic spacing. It is turned about all three axes, and the
+/// last axis is reversed if mirrored.
 VoxelGrid ObliqueGrid(const std::array<Index, 3>& size, bool isMirrored);
 
-/// That grid with axes that are not perpendicular, as of a tilted gantry.
+/// The oblique grid with axes that are not perpendicular, as of a tilted gantry.
 VoxelGrid ShearedGrid(const std::array<Index, 3>& size, bool isMirrored = false);
 
 /// Gives a grid layers at 1, 1.75 and 3 times its spacing from each other, in this order.

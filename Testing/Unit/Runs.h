@@ -77,7 +77,7 @@ inline std::vector<Mode> AllModes()
   return modes;
 }
 
-/// Those that keep a largest error and prove it.
+/// Modes that keep a largest error and prove it.
 inline std::vector<Mode> ProvingModes()
 {
   std::vector<Mode> modes;

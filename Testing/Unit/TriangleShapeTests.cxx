@@ -26,7 +26,7 @@ Surface OneTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
 
 const double Degree = std::acos(-1.0) / 180.0;
 
-/// @param degrees The least angle, 0: none.  @param length Of edges, mm, 0: none.
+/// @param degrees The least angle, 0: none.  @param length Length of edges, mm; 0: none.
 Report Compared(const Surface& surface, double degrees, double length)
 {
   Options options;

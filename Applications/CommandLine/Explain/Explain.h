@@ -17,8 +17,8 @@ void AddExplain(CLI::App& app, Arguments& arguments);
 
 /**
  * Reads the input, prints, writes nothing.
- * @return That of the run as far as it is known before the first edit: Usage if the options would
- *   be rejected.
+ * @return Exit code of the run as far as it is known before the first edit: Usage if the options
+ * would be rejected.
  * @throws Failure as the run.
  */
 ExitCode Explain(const Arguments& arguments);

@@ -15,7 +15,7 @@
 namespace bonedecimate
 {
 /// @param surface mm; null: not known before the volume is read.
-/// @param inFile The same in the unit of its file.
+/// @param inFile The surface in the unit of its file.
 /// @param voxelSize mm, of the volume; 0: not known.
 /// @throws Failure as the run.
 struct BoundSubject

@@ -18,8 +18,8 @@ namespace bonedecimate
 /**
  * Rejects a surface that the run would reject: its arrays, points and triangles, tolerances, and
  * the largest error against its size and the precision of the output.
- * @param surface mm, with the array of tolerances. @param options Of the run, with the largest
- *   error that it keeps.
+ * @param surface mm, with the array of tolerances.
+ * @param options Options of the run, with the largest error that it keeps.
  * @throws Failure(ExitCode::InputRejected) with the sentence of the run
  */
 void RequireUsable(vtkPolyData* surface, const Options& options, const Arguments& arguments);

@@ -12,7 +12,7 @@
 
 namespace bonedecimate
 {
-/// @param options Of the run. @param triangles Of the input; 0: not known.
+/// @param options Options of the run. @param triangles Triangles of the input; 0: not known.
 void ExplainStages(
   const Arguments& arguments, const Options& options, double triangles, Explanation& explanation);
 }

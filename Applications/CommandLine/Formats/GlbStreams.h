@@ -36,7 +36,7 @@ struct GlbAttribute
 std::vector<GlbAttribute> AttributesOf(
   vtkPolyData* surface, const FilePart& part, const std::optional<PointGrid>& grid);
 
-/// From sRGB to linear, both from 0 to 1; glTF's factors and vertex colors are linear.
+/// Converts a byte of sRGB to linear color, 0 to 1: factors and vertex colors of glTF are linear.
 double LinearColor(unsigned char byte);
 }
 

@@ -44,15 +44,15 @@ struct GltfScene
   /// Written by this program: below the node of its frame (GlbFiles.h).
   bool IsInMillimeters = false;
   std::int64_t HiddenNodes = 0;      ///< Nodes that are marked as not visible.
-  std::int64_t UnusedMeshes = 0;     ///< Meshes without a node; 0 if there are hidden nodes.
+  std::int64_t UnusedMeshes = 0;     ///< Meshes unused by the scene; 0 if nodes are hidden.
   std::vector<std::string> Warnings; ///< What the scene leaves aside, a sentence each.
 };
 
 /// @throws Failure(ExitCode::InputRejected), Json::exception
 GltfScene ReadScene(const GltfDocument& document);
 
-/// Tells the surface what of its file is no part of it (LeftOutCells.h).  @param primitives Of
-///   points or lines.
+/// Tells the surface what of its file is no part of it (LeftOutCells.h).
+/// @param primitives Number of primitives of points or lines.
 void ListLeftOut(const GltfScene& scene, std::int64_t primitives, vtkPolyData* surface);
 }
 

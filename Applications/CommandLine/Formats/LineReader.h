@@ -36,7 +36,7 @@ public:
   /// Puts the next line in place of the backslash; false at the end of the file.
   bool Continue();
 
-  /// Without its end.
+  /// The current line without its end.
   const std::string& GetLine() const { return this->Line; }
   std::int64_t GetNumber() const { return this->Number; }
 
@@ -49,7 +49,7 @@ public:
   /// The words of the line, valid until the next line.
   const std::vector<std::string_view>& GetWords();
 
-  /// For what follows the lines, in binary.
+  /// The stream, for binary data that follows the lines.
   std::ifstream& GetStream();
 
 private:
@@ -73,7 +73,7 @@ private:
 /// Adds what stands between blanks and line ends; valid as long as the text is.
 void SplitWords(std::string_view text, std::vector<std::string_view>& words);
 
-/// Without blanks at both ends.
+/// The text without blanks at both ends.
 std::string_view Trimmed(std::string_view text);
 }
 

@@ -17,7 +17,7 @@ unsigned char* BytesOf(std::string& text)
   return reinterpret_cast<unsigned char*>(text.data());
 }
 
-/// @param remap From the old number of a point to the new one.
+/// @param remap Maps the old number of a point to the new one.
 std::string EncodedPoints(const PointStream& stream, const std::vector<unsigned int>& remap)
 {
   std::string ordered(stream.Bytes.size(), '\0');
@@ -84,7 +84,7 @@ bool Filtered(const MeshoptView& view, std::string& decoded)
 CompressedPart Compress(
   const std::vector<std::uint32_t>& corners, const std::vector<PointStream>& streams)
 {
-  meshopt_encodeIndexVersion(1); // that of the extension
+  meshopt_encodeIndexVersion(1); // the version of the extension
   meshopt_encodeVertexVersion(0);
   const std::size_t points = streams[0].Bytes.size() / streams[0].Stride;
   CompressedPart best = Encoded(corners, streams);

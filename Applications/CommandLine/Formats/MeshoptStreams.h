@@ -28,8 +28,8 @@ struct CompressedPart
   std::vector<std::string> Streams; ///< Mode ATTRIBUTES, as many as were given.
 };
 
-/// In the order of triangles and points that takes the fewest bytes among those of meshoptimizer
-/// and the given one.
+/// Compresses in the order of triangles and points that takes the fewest bytes: one of
+/// meshoptimizer or the given one.
 /// @param corners Three for each triangle. @param streams At least one.
 CompressedPart Compress(
   const std::vector<std::uint32_t>& corners, const std::vector<PointStream>& streams);

@@ -32,7 +32,7 @@ struct PlyColumn
 
 std::vector<PlyColumn> PointColumns(vtkPolyData* surface);
 
-/// In the order of cells, which begin with vertices and lines.
+/// Columns of the faces. Values are in the order of cells, which begin with vertices and lines.
 std::vector<PlyColumn> FaceColumns(vtkPolyData* surface);
 
 /// "float", "uchar"; null if the format has no such type.

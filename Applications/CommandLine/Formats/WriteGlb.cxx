@@ -41,7 +41,7 @@ void PutWord(std::size_t number, std::string& file)
 class GlbComposer
 {
 public:
-  /// @param grid Of a compressed file; none: a plain one.
+  /// @param grid Grid of a compressed file; none: a plain file.
   explicit GlbComposer(const std::optional<PointGrid>& grid)
     : Grid(grid)
   {
@@ -189,7 +189,7 @@ private:
     indices = std::move(compressed.Indices);
   }
 
-  /// @param stride Of an element that is not compressed.
+  /// @param stride Bytes of an element that is not compressed.
   int AddView(const std::string& bytes, std::size_t count, std::size_t stride, bool isIndex)
   {
     constexpr int arrayBuffer = 34962;

@@ -16,7 +16,7 @@
 
 namespace bonedecimate
 {
-/// By name in lower case: labels that have it in common.
+/// The labels of each region, by its name in lower case.
 using LabelRegions = std::map<std::string, std::vector<std::int64_t>>;
 
 struct LabelTable

@@ -40,12 +40,12 @@ public:
    */
   ConfigurationFile(const std::string& path, const CLI::App& program);
 
-  /// Those outside of profiles; may be empty.
+  /// Options of a command outside of profiles; may be empty.
   SettingsList OptionsOf(const std::string& command) const;
 
   std::vector<std::string> GetProfiles() const;
 
-  /// By command; empty if there is no profile of that name.
+  /// Options of a profile by command; empty if there is no profile of that name.
   std::map<std::string, SettingsList> OptionsOfProfile(const std::string& profile) const;
 
 private:

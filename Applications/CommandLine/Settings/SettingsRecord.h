@@ -16,9 +16,9 @@ namespace bonedecimate
 {
 struct SettingsRecord
 {
-  std::string Profile; ///< Its name; empty: none.
+  std::string Profile; ///< Name of the profile; empty: none.
   std::string File;    ///< The base name of the configuration file; empty: none.
-  std::map<std::string, std::string> Options; ///< That were added: flag without dashes and value.
+  std::map<std::string, std::string> Options; ///< Added options: flag without dashes and value.
   /// Flags that the command line sets itself, in this or in another way.
   std::vector<std::string> Overridden;
 

@@ -49,7 +49,7 @@ std::vector<std::string> NamesOfCommands(const std::vector<CommandEntry>& comman
 /// The parts with the joint in between.
 std::string Joined(const std::vector<std::string>& parts, const std::string& joint);
 
-/// With each of the characters behind a backslash.
+/// The text with a backslash before each of the characters.
 std::string Escaped(const std::string& text, const std::string& characters);
 }
 

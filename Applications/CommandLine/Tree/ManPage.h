@@ -14,7 +14,7 @@
 
 namespace bonedecimate
 {
-/// In the macros man(7), for groff and mandoc.
+/// The manual page in the macros man(7), for groff and mandoc.
 std::string ManPage(const std::vector<CommandEntry>& commands);
 }
 

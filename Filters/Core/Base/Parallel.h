@@ -189,7 +189,7 @@ void ForEachId(std::size_t count, int threads, const Work& work)
     });
 }
 
-/// For each block the number of selected ids before it, and finally the number of all: offsets in
+/// For each block, the number of selected ids before it, and finally the number of all: offsets in
 /// the list of selected ids.
 template <typename IsChosen>
 std::vector<std::size_t> StartsOfBlocks(std::size_t count, int threads, const IsChosen& isChosen)

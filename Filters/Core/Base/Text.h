@@ -59,7 +59,7 @@ std::string ListText(const std::vector<Number>& numbers)
                                : text;
 }
 
-/// As text or attribute value of XML, HTML or SVG.
+/// The text, escaped as text or attribute value of XML, HTML or SVG.
 inline std::string EscapedXml(const std::string& text)
 {
   std::string escaped;
@@ -96,7 +96,7 @@ std::from_chars_result ReadNumber(const char* first, const char* last, Number& v
   return std::from_chars(first, last, value);
 }
 #else
-/// For standard libraries whose from_chars reads whole numbers alone.
+/// Replaces from_chars of standard libraries that reads only whole numbers.
 template <typename Number>
 std::from_chars_result ReadNumber(const char* first, const char* last, Number& value)
 {

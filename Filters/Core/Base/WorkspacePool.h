@@ -20,8 +20,8 @@ template <typename Workspace>
 class WorkspacePool
 {
 public:
-  /// For one worker; returns to the pool when it is released, which must be before the pool is
-  /// destroyed.
+  /// Lends a workspace to one worker. It returns to the pool when it is released, which must be
+  /// before the pool is destroyed.
   /// @param make Returns a std::unique_ptr to a new workspace.  Any thread may call this.
   template <typename Make>
   std::shared_ptr<Workspace> Borrow(const Make& make)

@@ -185,15 +185,15 @@ public:
   /// Adds the counters of workers that were active at the same time, in their order.
   void Settle(std::vector<Tally>& tallies);
 
-  /// Once, after the last edit and only where edits are recorded; positions are in mm from the
-  /// local origin.
+  /// Takes the log, once, after the last edit and only if edits are recorded. Positions are in mm
+  /// from the local origin.
   EditLog TakeLog() { return this->Recorder->Take(); }
-  /// Before and after flips and moves, for the log.
+  /// To be called before and after flips and moves, for the log.
   void BeginFlipsAndMoves();
   void EndFlipsAndMoves();
 
-  /// Before a pass of flips or moves, and after the last: measures the volumes of the fragments and
-  /// distributes among blocks the volume that each may still lose.
+  /// Measures the volumes of the fragments and distributes among blocks the volume that each may
+  /// still lose. To be called before a pass of flips or moves, and after the last one.
   void DistributeVolumeBudget() { this->Fragments->DistributeBudget(this->Half); }
 
   /// Recomputes the quadrics of all vertex records. Needed after flips and moves, which do not

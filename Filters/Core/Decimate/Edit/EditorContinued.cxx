@@ -28,7 +28,7 @@ std::vector<Index> Editor::CurrentVertices() const
 //------------------------------------------------------------------------------
 /// Adds the corners of faces that may be what a triangle of the reference is near to, although this
 /// was not proved.
-/// @param constrained Of each vertex; empty: none.
+/// @param constrained For each vertex, whether it is constrained; empty: none is.
 std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
 {
   constrained.resize(this->Unproved.empty()

@@ -111,7 +111,7 @@ void Editor::ForgetPending()
 //------------------------------------------------------------------------------
 bool Editor::EndDraft(int threads, const Monitor& monitor)
 {
-  this->Filters = this->Drafted->ExactFilters; // those of the draft need memory
+  this->Filters = this->Drafted->ExactFilters; // the filters of the draft need memory
   this->ForgetPending();
   BulkProof proof(
     *this->Bound, this->Drafted->Limits, this->Half, *this->Drafted->Journal, threads);
@@ -172,7 +172,7 @@ std::vector<std::vector<Index>> Editor::FindEnclosing(const BoundingTree* tree, 
 }
 
 //------------------------------------------------------------------------------
-/// Those that became too small, or do not lie within the same closed others as before.
+/// Marks components that became too small, or that are enclosed by other closed ones than before.
 std::vector<char> Editor::FindWrongComponents(int threads) const
 {
   std::vector<char> isWrong = this->Fragments->FindTooSmall(this->Half);

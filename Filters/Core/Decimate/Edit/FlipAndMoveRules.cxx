@@ -32,7 +32,7 @@ bool IsTurned(const Face& before, const Face& after)
     Dot(before.Vector, after.Vector) < MinCosine * before.Area * after.Area;
 }
 
-/// @param quality Of the worst face before.
+/// @param quality Quality of the worst face before the edit.
 bool IsNeedle(const Face& after, double quality)
 {
   return !(after.Area > 0.0) || (after.Quality < MinQualityOfSmallEdit && after.Quality < quality);

@@ -21,8 +21,8 @@ namespace bonedecimate::certificate
 constexpr Index Boundary = None; ///< There is no neighbor.
 constexpr Index NotRegular = -2; ///< There are several neighbors, or one of opposite orientation.
 
-/// For each triangle the neighbors across the sides from each corner to the next one, or one of the
-/// values above.
+/// For each triangle, the neighbors across the sides from each corner to the next one, or one of
+/// the values above.
 using EdgeSides = std::vector<std::array<Index, 3>>;
 
 EdgeSides FindEdgeSides(
@@ -34,7 +34,7 @@ struct BoundaryEdge
   Index Triangle = None;
 };
 
-/// In the order of the triangles.  @param sides Of the surface.
+/// Boundary edges in the order of the triangles.  @param sides Edge sides of the surface.
 std::vector<BoundaryEdge> FindBoundaries(const Surface& surface, const EdgeSides& sides);
 }
 

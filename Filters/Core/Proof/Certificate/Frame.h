@@ -28,7 +28,7 @@ struct Frame
 
 Frame FindFrame(const Surface& reference, const Surface& result);
 
-/// @param sides Of the surface; kept.
+/// @param sides Edge sides of the surface; kept.
 Simplices WholeSurface(const Surface& surface, const EdgeSides& sides, const Frame& frame);
 
 /// The part with a limit: of each simplex the corners with a finite limit, as a triangle, segment
@@ -41,7 +41,8 @@ struct BoundarySet
   std::vector<double> Limit; ///< mm, at each point; empty without a map
 };
 
-/// @param sides Of the surface.  @param limit mm, at each point of the surface; may be empty.
+/// @param sides Edge sides of the surface.
+/// @param limit mm, at each point of the surface; may be empty.
 BoundarySet FindBoundarySet(const Surface& surface, const EdgeSides& sides, const Frame& frame,
   const std::vector<double>& limit);
 }

@@ -53,13 +53,13 @@ public:
   /// Starts without candidates and with nothing to cover.
   /// @param slack mm, more than the rounding error of a coordinate in the frame of a candidate.
   void Begin(double slack);
-  /// Adds a convex polygon to what is to be covered.  @param count Of all polygons, at most
-  ///                                                  MaxCorners.
+  /// Adds a convex polygon to what is to be covered.
+  /// @param count Number of its corners; all polygons together have at most MaxCorners.
   void Cover(const Vector3* corners, std::size_t count);
   /// Adds a part that is known to have this bound, mm.
   void Raise(double upper);
-  /// Unless it is one already.  @param id By which the caller knows it.  @return False if there are
-  ///                                                                     too many.
+  /// Adds a candidate unless it is one already.
+  /// @param id Number by which the caller knows it.  @return False if there are too many.
   bool Add(const Corners& candidate, Index id);
   bool Has(Index id) const;
 

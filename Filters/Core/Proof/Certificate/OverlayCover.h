@@ -40,7 +40,7 @@
 
 namespace bonedecimate::certificate
 {
-/// For one worker; its memory is in proportion to the surface.
+/// An object serves one worker; its memory is proportional to the surface.
 class OverlayCover
 {
 public:

@@ -32,7 +32,7 @@ struct PairCertificate
 /**
  * @param limit mm, at each point of the reference, infinite where there is no limit; empty without
  *   a map.
- * @param weight Of this call in the whole progress, 0 to 1.
+ * @param weight Weight of this call in the whole progress, 0 to 1.
  */
 PairCertificate CertifyPair(const Simplices& reference, const Simplices& result,
   const std::vector<double>& limit, const PairTask& task, Stages& progress, double weight);

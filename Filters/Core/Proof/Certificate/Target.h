@@ -33,8 +33,8 @@ public:
   /// Sets the tolerance of each simplex, mm.
   void SetTolerances(std::vector<double> tolerances);
 
-  /// For one worker; null if the simplices are no surface, and with tolerances, because the cover
-  /// knows distances alone.
+  /// Lends a cover to one worker. Null if the simplices are no surface, and with tolerances,
+  /// because the cover knows only distances.
   std::shared_ptr<OverlayCover> BorrowCover() const;
 
   struct Candidate

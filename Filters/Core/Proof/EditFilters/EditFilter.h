@@ -46,7 +46,7 @@ public:
 
   virtual ~EditFilter() = default;
 
-  /// For one worker; called by several threads.
+  /// Makes the pending data of one worker; called by several threads.
   virtual std::shared_ptr<Pending> MakePending() { return std::make_shared<Pending>(); }
 
   /// Whether ProposedEdit::Change has to be filled.
@@ -82,8 +82,8 @@ public:
   /// removed one had. No other worker is active.
   virtual void Adopt(VertexId /*made*/, VertexId /*like*/) {}
 
-  /// Records the edit that all filters accepted.  @param mesh After the
-  /// edit.  @param tally Of the worker.
+  /// Records the edit that all filters accepted.
+  /// @param mesh The mesh after the edit.  @param tally Counters of the worker.
   virtual void Commit(const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/,
     Pending& /*pending*/, Tally& /*tally*/)
   {

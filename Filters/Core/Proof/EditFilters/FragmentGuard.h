@@ -22,14 +22,14 @@ namespace bonedecimate
 class FragmentGuard : public EditFilter
 {
 public:
-  /// @param surface Of the mesh.  @param originals Of PatchMap.
+  /// @param surface Surface of the mesh.  @param originals Original vertices, from PatchMap.
   FragmentGuard(
     const HalfEdgeMesh& mesh, const Surface& surface, const std::vector<Index>& originals = {});
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
     EditFilter::Pending& pending) const override;
-  /// With the volume that the other edits left.
+  /// Checks the edit with the volume that the other edits left.
   bool StillAccepts(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
     EditFilter::Pending& pending) const override;
   void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
@@ -49,8 +49,8 @@ public:
     const Volume& volume = this->Volumes[component];
     return volume.IsClosed ? volume.AtFirst - volume.Now : 0.0;
   }
-  /// For each component whether it is closed and has less than the volume that
-  /// it has to keep, measured afresh.
+  /// For each component, whether it is closed and has less than the volume that it has to keep,
+  /// measured again.
   std::vector<char> FindTooSmall(const HalfEdgeMesh& mesh) const;
 
   /// Measures all volumes and divides what closed components may still lose among their vertices,

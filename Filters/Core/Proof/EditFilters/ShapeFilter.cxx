@@ -15,7 +15,7 @@ double SquareOfLongestSide(const Vector3& a, const Vector3& b, const Vector3& c)
   return std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
 }
 
-/// @param measure Of the vertices and corners of a triangle; larger is worse.
+/// @param measure Function of the vertices and corners of a triangle; larger is worse.
 template <typename Measure>
 bool IsAllowed(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, double limit, const Measure& measure)

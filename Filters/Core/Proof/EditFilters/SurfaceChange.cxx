@@ -113,7 +113,7 @@ void SurfaceChange::AddBoundary(
     }
     if (keepIsStationary && !this->BoundaryStays && around.BoundaryEnds[i] == edit.Keep)
     {
-      this->OldBoundary.erase(old); // that of the stationary vertex's other line
+      this->OldBoundary.erase(old); // edge of the other line of the stationary vertex
     }
     else
     {

@@ -138,7 +138,7 @@ void BulkProof::ProveFaces()
 }
 
 //------------------------------------------------------------------------------
-/// Those that are not proved, and those proved by a face that has changed.
+/// Marks originals that are not proved, or were proved by a face that has changed.
 std::vector<char> BulkProof::OriginalsToProve() const
 {
   std::vector<char> originals(this->Found.Count(), 0);

@@ -30,19 +30,19 @@ class BulkProof
 {
 public:
   /// @param bound Its coverage is that of the mesh before the first edit of the journal.
-  /// @param limits Of the original, for what has changed; not above those of the bound. Must
-  ///   outlive this object.
+  /// @param limits Limits of the original, for what has changed; not above those of the bound. They
+  /// must outlive this object.
   BulkProof(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
     const EditJournal& journal, int threads);
 
   /// Proves what has changed since the last call. For each face and original that is not proved,
   /// the last edit to undo.
-  /// @param current Of each original vertex the vertex of the mesh into which it was merged.
+  /// @param current For each original vertex, the vertex of the mesh into which it was merged.
   std::vector<Index> FindFailures(const std::vector<Index>& current);
 
   /// Proves these originals by the faces as they are, where none has covered any, and makes the
   /// proofs the coverage of the bound.
-  /// @return Those that are not proved.
+  /// @return Originals that are not proved.
   std::vector<Index> CoverFirst(
     const std::vector<char>& originals, const std::vector<Index>& current);
 

@@ -68,9 +68,9 @@ public:
   void AddCandidate(
     const std::array<Vector3, 3>& corners, double most = std::numeric_limits<double>::infinity());
 
-  /// Those that lie within the limit (mm) of p, and within their own.
+  /// Candidates that lie within the limit (mm) of p, and within their own limit.
   Faces FacesNear(const Vector3& p, double limit);
-  /// mm^2, of the last point passed to FacesNear to a candidate.
+  /// Squared distance of the last point passed to FacesNear from a candidate, mm^2.
   double SquaredDistance(std::size_t candidate) const { return this->Squared[candidate]; }
 
   /// @param used Receives the candidates that prove it, added to those already set, which are

@@ -28,9 +28,9 @@ class WalkedSurface;
 class DraftFilter : public EditFilter
 {
 public:
-  /// @param mesh Within the bound.  @param current Of each original vertex the vertex of the mesh
-  ///   into which it was merged.
-  /// @param limits Of the original; must outlive this object.
+  /// @param mesh A mesh within the bound.
+  /// @param current For each original vertex, the vertex of the mesh into which it was merged.
+  /// @param limits Limits of the original; must outlive this object.
   DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
     const std::vector<Index>& current, int threads);
 

@@ -103,7 +103,7 @@ private:
   friend class Prover;
 
   void BuildCoverage();
-  /// For one worker; its memory is in proportion to the mesh.
+  /// Lends a prover to one worker; its memory is proportional to the mesh.
   std::shared_ptr<Prover> BorrowProver() const;
 
   const HalfEdgeMesh& Source;

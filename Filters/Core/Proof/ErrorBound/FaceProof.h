@@ -38,8 +38,8 @@ public:
   {
   }
 
-  /// False if no proof was found.  @param target The same input, with its limits.  @param hint An
-  ///   input triangle near the face.
+  /// Returns false if no proof was found.
+  /// @param target The same input, with its limits.  @param hint An input triangle near the face.
   bool Prove(const WalkedSurface& target, const std::array<Vector3, 3>& face, Index hint);
 
 private:

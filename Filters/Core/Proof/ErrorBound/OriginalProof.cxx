@@ -138,7 +138,7 @@ Index OriginalProof::NearestToAll(const std::array<const NearFaces*, 3>& near) c
 }
 
 //------------------------------------------------------------------------------
-/// Those near the corners, and of their neighbors those that may be near the inside alone.
+/// Faces near the corners, and those of their neighbors that may be near the inside alone.
 OriginalProof::Candidates OriginalProof::CandidatesOf(
   Index original, const std::array<const NearFaces*, 3>& near) const
 {

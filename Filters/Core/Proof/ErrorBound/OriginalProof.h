@@ -31,8 +31,8 @@ public:
   /// All must outlive this object.
   OriginalProof(const HalfEdgeMesh& source, const ErrorLimits& limits, const HalfEdgeMesh& mesh);
 
-  /// For these originals.  @param current Of each original vertex the vertex of the mesh into which
-  ///                       it was merged.
+  /// Finds the faces near the corners of these originals.
+  /// @param current For each original vertex, the vertex of the mesh into which it was merged.
   void FindNear(const std::vector<char>& originals, const std::vector<Index>& current, int threads);
   /// Frees its memory.
   void ForgetNear() { this->Near = std::vector<NearFaces>(); }

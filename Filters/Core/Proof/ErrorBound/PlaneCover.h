@@ -38,8 +38,8 @@ public:
   {
   }
 
-  /// @param seed An original triangle near the middle of the face.  @param limit Of an original
-  ///   triangle, mm.
+  /// @param seed An original triangle near the middle of the face.
+  /// @param limit Limit of an original triangle, mm.
   template <typename Limit>
   bool Prove(const std::array<Vector3, 3>& face, Index seed, const Limit& limit)
   {

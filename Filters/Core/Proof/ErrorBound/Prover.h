@@ -24,9 +24,9 @@ class Prover
 public:
   explicit Prover(const ErrorBound& bound);
 
-  /// @param mesh Before the edit.  @param range What may be read and written. Deferred: what would
-  ///   have to be proved again is
-  /// proved outside of the range, too.  @param proof Of an accepted edit.
+  /// Defers the edit if what would have to be proved again is proved outside of the range, too.
+  /// @param mesh The mesh before the edit.  @param range What may be read and written.
+  /// @param proof Proof of an accepted edit.
   Decision Prove(
     const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, EditProof& proof);
 

@@ -33,7 +33,7 @@ public:
     }
   }
 
-  /// @param vertex Of the mesh, with faces.
+  /// @param vertex A vertex of the mesh that has faces.
   PointOnMesh FindNear(const Vector3& p, VertexId vertex) const
   {
     return this->Mesh.MovesFreely(vertex) ? WalkFromVertex(this->Mesh, p, vertex)

@@ -75,8 +75,7 @@ public:
     return std::get<2>(best);
   }
 
-  /// Those that may be within the distance of a part of the segment, the nearest to both ends
-  /// first.
+  /// Edges that may be within the distance of a part of the segment, nearest to both ends first.
   std::vector<Index> FindAround(
     const BoundaryProof::Segment& ends, const Vector3& inward, double distance) const
   {

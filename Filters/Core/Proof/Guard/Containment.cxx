@@ -29,7 +29,7 @@ Surface TrianglesOf(const HalfEdgeMesh& mesh, std::vector<FaceId>& faces)
   return surface;
 }
 
-/// Those that occur an odd number of times.
+/// Components that occur an odd number of times.
 std::vector<Index> OddOnes(std::vector<Index> components)
 {
   std::sort(components.begin(), components.end());

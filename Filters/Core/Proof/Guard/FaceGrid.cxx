@@ -37,7 +37,7 @@ std::int32_t Floor(double coordinate) // in sides of a cell
 class Columns
 {
 public:
-  /// @param p Corners in sides of a cell.  @param reach The same.
+  /// @param p Corners in sides of a cell.  @param reach Reach in sides of a cell.
   Columns(const TriangleCorners& p, double reach)
     : Normal((p[1] - p[0]).cross(p[2] - p[0]))
   {

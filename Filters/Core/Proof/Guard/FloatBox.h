@@ -31,7 +31,7 @@ struct FloatBox
   double Diagonal() const; ///< mm.
   /// mm, at least; 0 if they meet.
   double DistanceTo(const FloatBox& other) const;
-  /// Without branches: most boxes that are compared are near each other.
+  /// Whether two boxes meet, without branches: most boxes that are compared are near each other.
   bool Meets(const FloatBox& other) const
   {
     unsigned meets = 1;

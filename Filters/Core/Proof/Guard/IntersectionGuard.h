@@ -36,8 +36,8 @@ class IntersectionGuard : public EditFilter
 public:
   /// @param mesh Must outlive this object; its faces are sorted into the grid before the first
   ///   edit.
-  /// @param surface Of which the mesh was made, its manifold patches joined.  @param error mm, how
-  ///   far the surface may move.
+  /// @param surface The surface from which the mesh was made, its manifold patches joined.
+  /// @param error mm, how far the surface may move.
   /// @param written Whether triangles meet is decided where they will be written.
   /// @param guardsGaps Whether gaps are measured; otherwise only intersections are rejected.
   IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface,

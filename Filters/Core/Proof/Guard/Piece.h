@@ -31,7 +31,7 @@ namespace bonedecimate
 struct Piece : PlaneTriangle
 {
   Piece() = default;
-  /// Without its gap.
+  /// Makes a piece without its gap.
   Piece(const HalfEdgeMesh& mesh, const Triangle& vertices, const TriangleCorners& corners);
 
   Triangle Vertices;                    // their original vertices

@@ -51,7 +51,7 @@ std::vector<Index> StateCheck::FindRejected(int threads)
 }
 
 //------------------------------------------------------------------------------
-/// Those that are there and have changed since the last call.
+/// Existing faces that have changed since the last call.
 std::vector<FaceId> StateCheck::TakeChanged(int threads)
 {
   const auto boxOf = [this](FaceId face) { return FloatBox(PositionsOf(this->Mesh, face)); };

@@ -30,8 +30,8 @@ namespace bonedecimate
 class StateCheck
 {
 public:
-  /// All must outlive this object.  @param widths Of the vertices of the mesh before the first
-  ///                                edit.
+  /// All arguments must outlive this object.
+  /// @param widths Gap widths at the vertices of the mesh before the first edit.
   StateCheck(const HalfEdgeMesh& mesh, const GapRule& widths, const WrittenPositions& written,
     const EditJournal& journal);
 

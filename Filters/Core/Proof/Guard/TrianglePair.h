@@ -71,7 +71,7 @@ struct Way
   double SquaredLength = 0.0;         // mm^2
   Vector3 FromAToB = Vector3::Zero(); // mm
 };
-/// Between triangles that do not meet.
+/// The shortest way between triangles that do not meet.
 Way WayBetween(const TriangleCorners& a, const TriangleCorners& b);
 }
 

@@ -22,7 +22,7 @@ public:
   /// Vertices are written where the mesh has them.
   WrittenPositions() = default;
   /// Points that never move are rounded like the others.
-  /// @param input Of which the other one was made; both must outlive this object.
+  /// @param input The surface from which the clean one was made; both must outlive this object.
   /// @param error mm, how far vertices may move.
   WrittenPositions(
     const Surface& input, const CleanSurface& clean, double error, const PointRounding& rounding);

@@ -22,7 +22,8 @@ namespace bonedecimate
 class AreaSamples
 {
 public:
-  /// Keeps references.  @param count Of samples; there are none if the triangles have no area.
+  /// Keeps references.
+  /// @param count Number of samples; there are none if the triangles have no area.
   AreaSamples(
     const std::vector<Vector3>& points, const std::vector<Triangle>& triangles, std::size_t count);
   AreaSamples(std::vector<Vector3>&&, const std::vector<Triangle>&, std::size_t) = delete;

@@ -21,9 +21,9 @@ namespace bonedecimate
 class BackHints
 {
 public:
-  /// @param original Must outlive this.  @param starts Of each vertex of the mesh an
-  /// original triangle near it. Null: the original is the mesh before the first edit,
-  /// and vertices start at their own.
+  /// @param original The original; must outlive this object.
+  /// @param starts For each vertex of the mesh, an original triangle near it. Null: the original is
+  /// the mesh before the first edit, and vertices start at their own.
   explicit BackHints(const HalfEdgeMesh& original, const std::vector<Index>* starts = nullptr)
     : Source(original)
     , Starts(starts)

@@ -35,8 +35,8 @@ public:
   /// Takes back the last merge into the other vertex; not where distances are recorded.
   void Unmerge(VertexId gone) { this->MergedInto[static_cast<std::size_t>(gone)] = gone; }
 
-  /// Before the first split: from now on ids of removed vertices may be
-  /// used again, each for one vertex.
+  /// To be called before the first split: from then on ids of removed vertices may be reused, each
+  /// for one vertex.
   void BeginSplits();
   /// Records that the split of an edge with those ends made a vertex. Measures its
   /// distance if distances are recorded.
@@ -53,8 +53,7 @@ public:
 
   const CleanSurface& AtFirst() const { return this->Clean; }
 
-  /// For each original vertex the current vertex into which it was
-  /// merged, directly or through others.
+  /// For each original vertex, the current vertex into which it was merged, directly or not.
   std::vector<Index> CurrentVertices() const;
 
   bool RecordsDistances() const { return !this->Errors.empty(); }
@@ -66,7 +65,7 @@ public:
   }
   double MaxError() const { return this->Largest; } ///< mm; maxError of the thesis.
 
-  /// For each point of the original surface a triangle at it.
+  /// For each point of the original surface, a triangle at it.
   std::vector<Index> TrianglesAtPoints() const;
 
   /// Builds the tree on the first call, with that many threads. Thread-safe.

@@ -47,8 +47,7 @@ public:
     std::vector<float> limits = {}, double shapeWeight = 0.0);
 
   /// Both return false after an abort; the lists are unusable then.
-  /// @param current Of each original vertex the vertex of the mesh into which
-  /// it was merged, or one near it.
+  /// @param current For each original vertex, the vertex into which it was merged, or one near it.
   bool Distribute(const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads,
     const Monitor& monitor);
   bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
