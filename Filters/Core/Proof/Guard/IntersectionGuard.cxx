@@ -59,6 +59,7 @@ Piece IntersectionGuard::PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& 
   Piece piece(mesh, vertices, corners);
   piece.MinGap = this->MinGapOf(mesh, change, piece.Vertices);
   piece.Reach = ReachOf(piece.MinGap);
+  piece.Fragment = this->Widths.PartOf(piece.Vertices[0]);
   return piece;
 }
 
@@ -137,6 +138,64 @@ void IntersectionGuard::FindNear(
       std::find(old.begin(), old.end(), face) == old.end())
     {
       work.Near.push_back(this->PieceOf(mesh, change, v, corners));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Remaining faces which may lie between the faces that go and the new ones. The volume between both is within the cones from one point over all of these faces,
+/// which are tetrahedra. Each of its points is no farther from one of their sides than the least
+/// height.
+void IntersectionGuard::FindSwept(
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const
+{
+  work.Cells.clear();
+  work.Faces.clear();
+  work.Swept.clear();
+  const Vector3 apex = change.Moved != None ? change.Position : work.New[0].Corners[0];
+  for (const std::vector<Piece>* pieces : { &work.Old, &work.New })
+  {
+    for (const Piece& piece : *pieces)
+    {
+      this->AddCellsOfCone(piece.Corners, apex, work.Cells);
+    }
+  }
+  std::sort(work.Cells.begin(), work.Cells.end());
+  work.Cells.erase(std::unique(work.Cells.begin(), work.Cells.end()), work.Cells.end());
+  const Vector3 low = MinOf(work.Old).cwiseMin(MinOf(work.New));
+  const Vector3 high = MaxOf(work.Old).cwiseMax(MaxOf(work.New));
+  this->Grid->AddFaces(work.Cells, FloatBox(TriangleCorners{ low, high, high }), work.Faces);
+  std::sort(work.Faces.begin(), work.Faces.end());
+  work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
+  const std::vector<Index>& old = change.OldFaces;
+  for (const Index face : work.Faces)
+  {
+    if (std::find(old.begin(), old.end(), face) == old.end())
+    {
+      const Triangle v = mesh.Corners(face);
+      work.Swept.emplace_back(mesh, v, CornersOf(mesh, v));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void IntersectionGuard::AddCellsOfCone(
+  const TriangleCorners& base, const Vector3& apex, std::vector<FaceGrid::Key>& cells) const
+{
+  const std::array<TriangleCorners, 4> sides = { { base, { base[0], base[1], apex },
+    { base[1], base[2], apex }, { base[2], base[0], apex } } };
+  double twice = 0.0; // mm^2, of the largest area
+  for (const TriangleCorners& side : sides)
+  {
+    twice = std::max(twice, (side[1] - side[0]).cross(side[2] - side[0]).norm());
+  }
+  const double volume =
+    std::abs(Dot((base[1] - base[0]).cross(base[2] - base[0]), apex - base[0])); // mm^3, six times
+  if (volume > 0.0)
+  {
+    for (const TriangleCorners& side : sides)
+    {
+      this->Grid->AddCells(side, volume / twice, cells);
     }
   }
 }
@@ -222,9 +281,17 @@ Decision IntersectionGuard::Check(
     this->FindCells(work);
   }
   this->FindNear(mesh, edit.Change, work);
-  const bool isAllowed = !MeetMore(work.Old, work.New, work.Near, this->Written) &&
-    !this->NarrowsGap(work) && !JumpOver(work.Old, work.New, work.Near);
-  return isAllowed ? Rejection::NotRejected : Rejection::Intersection;
+  if (MeetMore(work.Old, work.New, work.Near, this->Written) || this->NarrowsGap(work))
+  {
+    return Rejection::Intersection;
+  }
+  this->FindSwept(mesh, edit.Change, work);
+  if (!this->Grid->HoldsAll(edit.Range) && !this->Grid->OwnsAll(edit.Range, work.Cells))
+  {
+    return Decision::Defer();
+  }
+  const bool jumps = JumpOver(work.Old, work.New, work.Swept);
+  return jumps ? Rejection::Intersection : Rejection::NotRejected;
 }
 
 //------------------------------------------------------------------------------

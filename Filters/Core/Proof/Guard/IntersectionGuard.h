@@ -11,8 +11,8 @@
  *     gap:      a pair that faces each other, or of two fragments, and has no corner in common
  *               rejected if it is nearer than half the initial gap at its corners         (GapRule)
  *               and nearer than the faces that go were
- *     jump:     rejected if a corner of what is near lies between the faces that go and the new
- *       ones  (Piece)
+ *     jump:     rejected if a corner of what is left lies between the faces that go and the new
+ *               ones                                                                      (Piece)
  *
  * The edits of a draft are checked together, in the mesh that is left (StateCheck.h).
  */
@@ -73,7 +73,7 @@ private:
     std::vector<FaceGrid::Key> OldCells, Cells;
     std::vector<std::size_t> EndsOfOld; // in OldCells, of each removed face
     std::vector<Index> Faces;
-    std::vector<Piece> Old, New, Near;
+    std::vector<Piece> Old, New, Near, Swept;
     double Reach = 0.0;      // mm, of the gap rule around these
     bool KnowsCells = false; // of this edit
   };
@@ -87,6 +87,9 @@ private:
   void FillPieces(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;
   void FindCells(Pending& work) const;
   void FindNear(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;
+  void FindSwept(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;
+  void AddCellsOfCone(
+    const TriangleCorners& base, const Vector3& apex, std::vector<FaceGrid::Key>& cells) const;
   bool NarrowsGap(const Pending& work) const;
 
   const HalfEdgeMesh& Mesh;

@@ -78,6 +78,12 @@ struct Meetings
 {
   std::size_t All = 0;
   std::size_t Piercing = 0;
+  std::size_t Apart = 0; // of two fragments
+
+  bool ExceedAny(const Meetings& other) const
+  {
+    return this->All > other.All || this->Piercing > other.Piercing || this->Apart > other.Apart;
+  }
 };
 
 /// Pairs of a patch with what is near it, and within it, that meet.
@@ -97,6 +103,7 @@ void CountMeetings(std::vector<Piece>& patch, std::vector<Piece>& near,
       }
       ++count.All;
       count.Piercing += Pierce(*piece->Written, *other.Written) ? 1 : 0;
+      count.Apart += piece->Fragment != other.Fragment ? 1 : 0;
       return isEnough(count);
     };
     if (std::any_of(near.begin(), near.end(), endsIt) ||
@@ -218,7 +225,7 @@ bool MeetMore(std::vector<Piece>& before, std::vector<Piece>& after, std::vector
             return false;
           });
       }
-      isMore = count.All > allowed.All || count.Piercing > allowed.Piercing;
+      isMore = count.ExceedAny(allowed);
       return isMore;
     });
   return isMore;
@@ -228,7 +235,7 @@ bool MeetMore(std::vector<Piece>& before, std::vector<Piece>& after, std::vector
 /// What meets neither the faces that go nor the new ones lies between them as a whole or not at
 /// all: one corner that does not lie on them tells.
 bool JumpOver(
-  const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& near)
+  const std::vector<Piece>& before, const std::vector<Piece>& after, const std::vector<Piece>& left)
 {
   const Vector3 low = MinOf(before).cwiseMin(MinOf(after));
   const Vector3 high = MaxOf(before).cwiseMax(MaxOf(after));
@@ -256,6 +263,6 @@ bool JumpOver(
     }
     return found != Between::No;
   };
-  return std::any_of(near.begin(), near.end(), isBetween) && !LieInOnePlane(before, after);
+  return std::any_of(left.begin(), left.end(), isBetween) && !LieInOnePlane(before, after);
 }
 }

@@ -36,6 +36,7 @@ struct Piece : PlaneTriangle
 
   Triangle Vertices;                    // their original vertices
   Vector3 Low, High;                    // mm, its box
+  Index Fragment = None;                // that it is a part of
   bonedecimate::Gap MinGap;             // of its corners
   double Reach = 0.0;                   // mm, how far from it gaps have to be looked after
   std::optional<PlaneTriangle> Written; // where it will be written; looked up by MeetMore
@@ -61,13 +62,15 @@ Vector3 MaxOf(const std::vector<Piece>& pieces);
 /// Whether they intersect where they will be written.
 bool Meet(Piece& a, Piece& b, const WrittenPositions& written);
 
-/// Whether more pairs intersect, or more pairs pierce each other, than with the faces that go.
+/// Whether more pairs intersect, or pierce each other, or more pairs of two fragments intersect,
+/// than with the faces that go.
 bool MeetMore(std::vector<Piece>& before, std::vector<Piece>& after, std::vector<Piece>& near,
   const WrittenPositions& written);
 
-/// Whether something near lies between the faces that go and the new ones; in doubt it does.
+/// Whether something that is left lies between the faces that go and the new ones; in doubt it
+/// does.
 bool JumpOver(const std::vector<Piece>& before, const std::vector<Piece>& after,
-  const std::vector<Piece>& near);
+  const std::vector<Piece>& left);
 }
 
 #endif
