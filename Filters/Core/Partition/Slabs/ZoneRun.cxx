@@ -12,7 +12,8 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double ErrorsOfMargin = 2.001;
+/// The separations of a draft look two errors from triangles that are up to one error outside.
+constexpr double ErrorsOfMargin = 3.02;
 /// Distance around the zone within which the proof covers the original, in largest errors.
 constexpr double ErrorsOfProof = 1.001;
 /// Progress at which the proof begins.

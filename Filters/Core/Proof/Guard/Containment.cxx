@@ -99,6 +99,9 @@ private:
   std::optional<BoundingTree> Own;
 };
 
+/// How many vertices of a component are tried: one may lie on another component.
+constexpr int MaxTries = 8;
+
 /// mm, longer than any way within the mesh.
 double LengthOf(const HalfEdgeMesh& mesh)
 {
@@ -121,15 +124,14 @@ std::vector<std::vector<Index>> FindEnclosing(const HalfEdgeMesh& mesh, Index co
   }
   const EnclosingSearch search(mesh, componentOf, tree, threads);
   const double length = LengthOf(mesh);
-  std::vector<char> isFound(enclosing.size(), 0);
+  std::vector<int> tries(enclosing.size(), 0);
   for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
     const VertexId vertex = mesh.IsAlive(face) ? mesh.Corners(face)[0] : None;
-    if (vertex == None || isFound[componentOf(vertex)] != 0)
+    if (vertex == None || tries[componentOf(vertex)]++ >= MaxTries)
     {
       continue;
     }
-    isFound[componentOf(vertex)] = 1;
     // Directions that no modeled geometry is aligned with.
     for (const Vector3& direction : { Vector3(0.61, 0.53, 0.587), Vector3(-0.37, 0.71, -0.599),
            Vector3(0.43, -0.29, 0.855), Vector3(-0.12, -0.81, 0.574) })
@@ -137,6 +139,7 @@ std::vector<std::vector<Index>> FindEnclosing(const HalfEdgeMesh& mesh, Index co
       if (const auto found = search.Along(vertex, direction.normalized(), length))
       {
         enclosing[componentOf(vertex)] = *found;
+        tries[componentOf(vertex)] = MaxTries;
         break;
       }
     }

@@ -6,7 +6,8 @@
  *
  * A ray from one vertex of each component meets the triangles of a closed component that holds it
  * an odd number of times, by exact predicates. Rays that pass exactly through an edge are replaced
- * by others.
+ * by others, and so is a vertex that lies on another component. A component with all of the
+ * vertices that are tried on others is within none.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_Containment_h
 #define BoneDecimate_Core_Proof_Guard_Containment_h

@@ -143,9 +143,9 @@ void IntersectionGuard::FindNear(
 }
 
 //------------------------------------------------------------------------------
-/// Remaining faces which may lie between the faces that go and the new ones. The volume between both is within the cones from one point over all of these faces,
-/// which are tetrahedra. Each of its points is no farther from one of their sides than the least
-/// height.
+/// Remaining faces which may lie between the faces that go and the new ones. The volume between
+/// both is within the cones from one point over all of these faces, which are tetrahedra. Each of
+/// its points is no farther from one of their sides than the least height.
 void IntersectionGuard::FindSwept(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const
 {
