@@ -5,7 +5,9 @@
 #include "Crossings.h"
 #include "GuardedEditor.h"
 #include "Mesh/ManifoldPatches.h"
+#include "Proof/Guard/FaceGrid.h"
 #include "Proof/Guard/GapRule.h"
+#include "Proof/Guard/Piece.h"
 #include "Proof/Guard/TrianglePair.h"
 #include "Runs.h"
 
@@ -233,4 +235,36 @@ TEST(IntersectionGuard, NothingIsJumpedOverThatIsFarFromTheFacesBeforeAndAfter)
   }
   EXPECT_FALSE(MayJumpOver(Moved(speck, Vector3(0.65, 0.02, 0.35) - middle)));
   EXPECT_TRUE(MayJumpOver(Moved(speck, Vector3(0.65, 0.02, -3.35) - middle)));
+}
+
+namespace
+{
+/// Whether a face that meets one face may be replaced by one that meets another.
+bool MeetsMore(bool isOfAnotherFragment)
+{
+  const Surface upright = { { { 0.0, -1.0, -1.0 }, { 0.0, 1.0, -1.0 }, { 0.0, 0.0, 1.0 } },
+    { { 0, 1, 2 } } };
+  const Surface flat = { { { -0.5, -0.2, 0.0 }, { 0.5, -0.2, 0.0 }, { 0.0, 0.4, 0.0 } },
+    { { 0, 1, 2 } } };
+  const Vector3 away(5.0, 0.0, 0.0);
+  const HalfEdgeMesh mesh(
+    Together(Together(upright, Moved(upright, away)), Together(flat, Moved(flat, away))));
+  std::vector<Piece> pieces;
+  for (FaceId face = 0; face < 4; ++face)
+  {
+    pieces.emplace_back(mesh, mesh.Corners(face), CornersOf(mesh, mesh.Corners(face)));
+    pieces.back().Fragment = 0;
+  }
+  pieces[3].Fragment = isOfAnotherFragment ? 1 : 0;
+  std::vector<Piece> before = { pieces[0] };
+  std::vector<Piece> after = { pieces[1] };
+  std::vector<Piece> near = { pieces[2], pieces[3] };
+  return MeetMore(before, after, near, WrittenPositions());
+}
+}
+
+TEST(IntersectionGuard, APairOfOneFragmentIsNotReplacedByAPairOfTwo)
+{
+  EXPECT_FALSE(MeetsMore(false));
+  EXPECT_TRUE(MeetsMore(true));
 }
