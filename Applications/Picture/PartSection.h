@@ -16,12 +16,12 @@ namespace bonedecimate
 /// The section as HTML; empty if parts were not compared.
 std::string PartSection(const ReportFields& report);
 
-/// "label 2", or "component at 1.0, 2.0, 3.0 mm".  @param part Its position in the list of the
-///                                                 report.
+/// "label 2", or "component at 1.0, 2.0, 3.0 mm".
+/// @param part Its position in the list of the report.
 std::string PartName(const ReportFields& report, int part);
 
-/// "before ARROW after"; empty if the figure is not known.  @param figure "area", "volume",
-///                                                          "thickness_median", ...
+/// "before ARROW after"; empty if the figure is not known.
+/// @param figure "area", "volume", "thickness_median", ...
 std::string PartChange(
   const ReportFields& report, int part, const std::string& figure, const std::string& arrow);
 }

@@ -224,8 +224,8 @@ protected:
 
   /// The report of the whole surface: entries that are numbers, by name, among them the figures of
   /// the getters, and what
-  /// FindPrunedCells(), SmoothPoints() and CompareVoxels() found.  @param ofParts FiguresOfPart()
-  ///                                                               of each part.
+  /// FindPrunedCells(), SmoothPoints() and CompareVoxels() found.
+  /// @param ofParts FiguresOfPart() of each part.
   void SetReportOfParts(const std::map<std::string, double>& entries,
     const std::vector<Numbers>& ofParts, vtkPolyData* output);
   ///@}

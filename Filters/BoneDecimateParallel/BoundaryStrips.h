@@ -34,8 +34,8 @@ std::vector<bool> RingsAround(vtkPolyData* surface, std::vector<bool> cells);
 /// For each cell, whether one of its corners is at one of the positions.
 std::vector<bool> CellsAt(vtkPolyData* surface, const Positions& positions);
 
-/// @param mayChange Cells of the strip that are not at its rim.  @param around Cells that it has,
-///   too, as its rim.
+/// @param mayChange Cells of the strip that are not at its rim.
+/// @param around Cells that it has, too, as its rim.
 StripParts CutStrips(
   vtkPolyData* surface, const std::vector<bool>& mayChange, const std::vector<bool>& around);
 

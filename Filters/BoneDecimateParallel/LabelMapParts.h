@@ -20,8 +20,8 @@ struct LabelMapOfParts
 };
 
 /// Parts without triangles do not count. Every process must call this, and all get the same result.
-/// @param input A polydata, or polydata in a composite data set.  @param controller Null: one
-///   process.
+/// @param input A polydata, or polydata in a composite data set.
+/// @param controller Null: one process.
 LabelMapOfParts CompareLabelMaps(vtkDataObject* input, vtkMultiProcessController* controller);
 }
 

@@ -100,8 +100,8 @@ bonedecimate::Options Requested(int count, char** words)
   return options;
 }
 
-/// Which knows nothing of how the result was made.  @param ownSeconds What the run took for a
-///                                                  certificate of its own.
+/// Which knows nothing of how the result was made.
+/// @param ownSeconds What the run took for a certificate of its own.
 void PrintCertificate(
   const bonedecimate::Surface& input, const bonedecimate::Surface& result, double ownSeconds)
 {

@@ -62,7 +62,7 @@ public:
 
   /// Calls visit(triangle) for every triangle whose box the ray meets within
   /// the length, nearer boxes first.
-  /// @param direction Of length 1.  @param length mm; visit may decrease it.
+  /// @param direction A vector of length 1.  @param length mm; visit may decrease it.
   void VisitAlong(const Vector3& from, const Vector3& direction, const double& length,
     const std::function<void(Index)>& visit) const;
 

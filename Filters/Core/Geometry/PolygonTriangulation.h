@@ -34,7 +34,7 @@ namespace bonedecimate
 class PolygonTriangulation
 {
 public:
-  /// @param points Of all polygons; must outlive this object.
+  /// @param points The points of all polygons; must outlive this object.
   explicit PolygonTriangulation(const std::vector<Vector3>& points);
   ~PolygonTriangulation();
   PolygonTriangulation(const PolygonTriangulation&) = delete;

@@ -40,7 +40,7 @@ class LevelStack
 public:
   /**
    * Replays the log once and validates all its values.
-   * @param triangles Of the cleaned and sorted input.
+   * @param triangles The triangles of the cleaned and sorted input.
    * @return Empty if the log cannot belong to that surface.
    */
   static std::optional<LevelStack> Build(
@@ -57,8 +57,8 @@ public:
   /// The triangle of the cleaned input of which each triangle of At() is what is left.
   std::vector<Index> FacesAt(Index collapses) const;
 
-  /// @param points Of the cleaned input's vertices, mm, in the frame of the input, used for
-  /// vertices that were never moved.
+  /// @param points The points of the cleaned input's vertices, mm, in the frame of the input, used
+  /// for vertices that were never moved.
   /// @param originals The original vertex of each vertex, see
   /// ManifoldPatches.h; empty: nothing was split.
   Level At(Index collapses, int threads, const std::vector<Vector3>& points,

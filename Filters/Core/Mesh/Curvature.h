@@ -23,7 +23,7 @@ namespace bonedecimate
 /**
  * 1/mm, of each vertex: the largest absolute principal curvature of the part of the surface within
  * the radius that edges connect with it.
- * @param mesh Before the first edit.  @param graph Of its points.  @param radius mm
+ * @param mesh Before the first edit.  @param graph The graph of its points.  @param radius mm
  */
 std::vector<double> MaxCurvatures(
   const HalfEdgeMesh& mesh, const PointGraph& graph, double radius, int threads);

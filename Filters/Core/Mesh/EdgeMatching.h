@@ -76,8 +76,8 @@ public:
   /// The half-edges that leave the point, ascending.
   std::vector<Index> OutgoingAt(Index point) const;
 
-  /// Makes edges between triangles of different labels odd.  @param labels For each triangle.
-  ///                                                         Empty: no labels.
+  /// Makes edges between triangles of different labels odd.
+  /// @param labels For each triangle. Empty: no labels.
   void CutBetween(const std::vector<Index>& labels);
 
   /// Corners of a triangle must differ.

@@ -21,7 +21,7 @@ namespace bonedecimate
 class FreeSlots
 {
 public:
-  /// @param isFree Of each id.
+  /// @param isFree For each id.
   explicit FreeSlots(const std::vector<char>& isFree);
 
   Index Count() const { return this->Left; }

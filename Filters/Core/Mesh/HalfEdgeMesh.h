@@ -79,7 +79,7 @@ class HalfEdgeMesh
 public:
   /// Every point must be used by a triangle, corners of a triangle must differ.
   explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const PatchMap& patches = {});
-  /// @param edges Of these triangles.  @param rings Of the edges.
+  /// @param edges The edges of these triangles.  @param rings The rings of the edges.
   HalfEdgeMesh(const Surface& surface, const EdgeMatching& edges, Rings rings, int threads,
     const PatchMap& patches = {});
 

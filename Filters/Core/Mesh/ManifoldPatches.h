@@ -26,10 +26,10 @@ namespace bonedecimate
 {
 /// Splits the surface and updates its maps. Duplicates are appended; each input point maps to the
 /// first of them.
-/// @param edges Of its triangles.
+/// @param edges The edges of its triangles.
 /// @return Whether anything was split: its edges then have to be matched again.
 bool SplitIntoManifoldPatches(CleanSurface& clean, const EdgeMatching& edges, const Rings& rings);
-/// @param labels Of each triangle: edges between different ones are odd. Empty: no labels.
+/// @param labels For each triangle: edges between different ones are odd. Empty: no labels.
 bool SplitIntoManifoldPatches(
   CleanSurface& clean, int threads = 1, const std::vector<Index>& labels = {});
 

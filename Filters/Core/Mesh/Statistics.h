@@ -34,7 +34,7 @@ struct Components
   std::vector<Index> OfPoint;
   Index Count = 0;
 };
-/// @param originals Of each point another one, not after it, that is joined with it. Empty: none.
+/// @param originals For each point another one, not after it, that is joined with it. Empty: none.
 Components FindComponents(const Surface& surface, const std::vector<Index>& originals = {});
 }
 

@@ -60,8 +60,8 @@ enum class Mode : int
 /// edge of lowest cost.
 struct QueuePolicies
 {
-  /// @param tolerance w of Decimate/Cost/NormalFieldDeviation.h.  @param meanEdgeLength mm, before
-  ///   the first edit.
+  /// @param tolerance w of Decimate/Cost/NormalFieldDeviation.h.
+  /// @param meanEdgeLength mm, before the first edit.
   std::unique_ptr<VertexCost> (*Cost)(
     const HalfEdgeMesh& mesh, const FaceAreas& areas, double tolerance, double meanEdgeLength);
   PositionCandidates (*Placement)(

@@ -41,7 +41,7 @@ public:
 
   /**
    * @param points Where the points of the surface are now, mm.
-   * @param isMoved Of each triangle: pairs of two triangles without it are left out.
+   * @param isMoved For each triangle: pairs of two triangles without it are left out.
    * @param monitor May be empty; after an abort the list is not complete.
    * @return The triangles, ascending.
    */

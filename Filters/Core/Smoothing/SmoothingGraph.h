@@ -46,7 +46,7 @@ class SmoothingGraph
 public:
   /// @param surface Its corners must be valid and different. Points
   /// without triangles have no neighbors.
-  /// @param labels Of each triangle; empty: none.  @param toUnits From millimeters.
+  /// @param labels For each triangle; empty: none.  @param toUnits From millimeters.
   SmoothingGraph(const Surface& surface, const std::vector<BoundaryLabels>& labels,
     const Eigen::Matrix3d& toUnits, int threads);
 
@@ -95,7 +95,7 @@ public:
   }
 
   /// From now on the rows of points on sharp edges are those of sharp edges.
-  /// @param sharp Of SmoothEdges() and the triangles of the surface.
+  /// @param sharp The result of SmoothEdges() and the triangles of the surface.
   /// @param toUnits From millimeters, to the axes of the displacements.
   void KeepSharp(const Surface& surface, const SharpEdges& sharp, const Eigen::Matrix3d& toUnits);
   std::int64_t NumberOfSharpPoints() const;

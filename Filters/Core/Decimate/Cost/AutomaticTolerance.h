@@ -19,7 +19,7 @@
 
 namespace bonedecimate
 {
-/// @param ratio Of remaining to input triangles, 0 to 1.
+/// @param ratio The ratio of remaining to input triangles, 0 to 1.
 inline double AutomaticNormalTolerance(double ratio)
 {
   constexpr double most = 0.95; // the thesis's default

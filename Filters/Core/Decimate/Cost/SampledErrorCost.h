@@ -124,7 +124,7 @@ private:
 class ErrorPenalty
 {
 public:
-  /// @param unit Of the mesh, mm.
+  /// @param unit The unit of the mesh, mm.
   ErrorPenalty(double unit, const Samples::Usual& usual)
     : Near(unit)
     , Far(Beyond(FarOfSamples, unit, usual))

@@ -18,11 +18,11 @@
  * are.
  *
  * The rules of a kind of edit are the same in every mode; EditorSettings.h says which bookkeeping
- * is done. Flips and moves remove nothing: they have rules of
- * their own and leave areas, quadrics, origins and counts as they are. Workers with a workspace
- * each may apply edits at the same time as long as their neighborhoods have no vertex in common, or
- * check edits at the same time that one of them applies afterwards. Settle adds their counts to
- * those of the editor, in an order that does not depend on the threads.
+ * is done. Flips and moves remove nothing: they have rules of their own and leave areas, quadrics,
+ * origins and counts as they are. Workers with a workspace each may apply edits at the same time as
+ * long as their neighborhoods have no vertex in common, or check edits at the same time that one of
+ * them applies afterwards. Settle adds their counts to those of the editor, in an order that does
+ * not depend on the threads.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_Editor_h
 #define BoneDecimate_Core_Decimate_Edit_Editor_h
@@ -60,8 +60,8 @@ class Editor
 public:
   /// @param clean Must live as long as this.
   Editor(const CleanSurface& clean, const EditorSettings& settings);
-  /// @param mesh Made of the surface.  @param monitor If it requests a stop, error bound, guards,
-  ///   constraints and
+  /// @param mesh Made of the surface.
+  /// @param monitor If it requests a stop, error bound, guards, constraints and
   /// feature curves are not set up, and no edit may follow.
   Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
     const Monitor& monitor = {});
@@ -142,8 +142,8 @@ public:
   /// Neither flips nor their rejections are counted.
   Decision Flip(HalfEdgeId edge, Workspace& work, int workers);
 
-  /// Moves a vertex if rules and filters accept it; not counted either.  @param position mm from
-  ///                                                                     the local origin.
+  /// Moves a vertex if rules and filters accept it; not counted either.
+  /// @param position mm from the local origin.
   Decision Move(VertexId vertex, const Vector3& position, Workspace& work, int workers);
 
   /// Edges may be split from now on; a later call makes ids of vertices and faces usable that were

@@ -19,8 +19,8 @@ namespace bonedecimate
 Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexRange range);
 
 /// Checks the collapse of an edge of a feature curve in all patches at it.
-/// @param patches The neighborhood of the edge in each patch.  @param gone The original vertex that
-///   is removed.
+/// @param patches The neighborhood of the edge in each patch.
+/// @param gone The original vertex that is removed.
 Rejection CheckPatchBoundary(
   const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, VertexId gone);
 

@@ -84,8 +84,8 @@ struct Kernels
   /// The quadric of a vertex at the origin.  @param fan Only Ring is read.  @param perArea 1/mm^2
   RingQuadric (*SumPlanes)(const Fan& fan, double perArea);
   /// Adds new minus old planes to the quadrics of the ring, and returns the sum of the new ones.
-  /// @param ring The vertices of the fan's ring; fewer by one than Faces + 1 if it closes.  @param
-  ///   perArea 1/mm^2
+  /// @param ring The vertices of the fan's ring; fewer by one than Faces + 1 if it closes.
+  /// @param perArea 1/mm^2
   RingQuadric (*ExchangePlanes)(
     const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea);
   /// Squared distances to points of the triangles that are nearest but for rounding, mm^2: too

@@ -58,7 +58,7 @@ public:
   {
   }
 
-  /// @param edges Of the vertex, evaluated if they are inside; forgotten afterwards.
+  /// @param edges The edges of the vertex, evaluated if they are inside; forgotten afterwards.
   /// @param space Holds an accepted collapse, for Editor::ApplyCollapse. Its Range is that of the
   ///   task.
   Result Find(VertexEdges& edges, CostBucket highest, const BlockTask& task, Workspace& space);

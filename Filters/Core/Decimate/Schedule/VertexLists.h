@@ -39,13 +39,14 @@ public:
     return std::min(this->Lists.TakeLowest(vertices), this->Task.Limit);
   }
 
-  /// No collapse was found at the vertex.  @param bucket Of the edges that are left to try.
+  /// No collapse was found at the vertex.
+  /// @param bucket The bucket of the edges that are left to try.
   /// @param isLasting Whether edges below the bucket are rejected until something changes.
   void Reject(VertexId vertex, CostBucket bucket, bool isLasting);
-  /// Computes the bucket of a vertex, that of its cheapest edge.  @param within Vertices that may
-  ///                                                              be read.
+  /// Computes the bucket of a vertex, that of its cheapest edge.
+  /// @param within Vertices that may be read.
   void Renew(VertexId vertex, VertexRange within);
-  /// After the collapse.  @param around Of the edge that was collapsed.
+  /// After the collapse.  @param around What was around the edge that was collapsed.
   void Update(
     const Edit& edit, VertexId gone, double accumulatedError, const EdgeNeighborhood& around);
 

@@ -32,7 +32,7 @@ namespace bonedecimate
 class EdgeFlipper
 {
 public:
-  /// @param faceErrors Of each face, squares of the mesh's unit, negative where unknown; common to
+  /// @param faceErrors For each face, squares of the mesh's unit, negative where unknown; common to
   ///   all workers.
   /// @param range What may be changed.
   EdgeFlipper(Editor& editor, Samples& samples, const BackHints& hints,

@@ -43,8 +43,8 @@ public:
     Index Hint = None;        // the original triangle near the position
     double VertexError = 0.0; // the part of Error that is due to the vertex
   };
-  /// @param around Gathered for an edge whose ends are both inside.  @param position A candidate
-  ///   for its vertex.
+  /// @param around Gathered for an edge whose ends are both inside.
+  /// @param position A candidate for its vertex.
   Result Evaluate(const EdgeNeighborhood& around, const Vector3& position);
 
   /// After Evaluate: for each sample of the old faces, which face of the fan it belongs to.

@@ -14,8 +14,8 @@
 
 namespace bonedecimate
 {
-/// @param frames The faces in order around the vertex, which is corner A of each.  @param slot
-///   Where to start; returns the face.
+/// @param frames The faces in order around the vertex, which is corner A of each.
+/// @param slot Where to start; returns the face.
 inline TriangleFrame::Point FindInFan(
   const std::vector<TriangleFrame>& frames, const Vector3& p, std::size_t& slot)
 {

@@ -48,7 +48,7 @@ public:
   {
     this->Add(frame.At(nearest) - vertex, frame, nearest, 1.0, weight);
   }
-  /// A point on an edge at the vertex, as above.  @param fraction Of the vertex.
+  /// A point on an edge at the vertex, as above.  @param fraction The fraction of the vertex.
   void AddOnEdge(const Vector3& point, const TriangleFrame& frame,
     const TriangleFrame::Point& nearest, double fraction, double weight)
   {

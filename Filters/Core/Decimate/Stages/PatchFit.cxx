@@ -226,8 +226,8 @@ double PatchFit::MaxRatio()
 }
 
 //------------------------------------------------------------------------------
-/// Moves every vertex and flips edges at those where that does not suffice.  @return The largest
-///   ratio.
+/// Moves every vertex and flips edges at those where that does not suffice.
+/// @return The largest ratio.
 double PatchFit::Sweep()
 {
   double largest = 0.0;

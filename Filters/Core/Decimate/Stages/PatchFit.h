@@ -32,7 +32,7 @@ namespace bonedecimate
 class PatchFit
 {
 public:
-  /// @param rings Of vertices around the collapse that may move.
+  /// @param rings How many rings of vertices around the collapse that may move.
   PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints, int rings);
 
   /// What the edit is, and what to record of it.
@@ -55,7 +55,7 @@ public:
     std::vector<Held> Samples; ///< Samples of all faces of the copy.
     std::vector<Index> Faces;  ///< All faces of the copy, the removed ones included.
   };
-  /// @param around Of the candidate, whose ends move freely.
+  /// @param around What is around the edge of the candidate; its ends move freely.
   Result Fit(const EdgeNeighborhood& around, const SlackCandidate& candidate);
 
 private:

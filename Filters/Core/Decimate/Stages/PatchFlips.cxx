@@ -92,8 +92,7 @@ bool PatchFit::FlipImproves(const Edge& edge)
 
 //------------------------------------------------------------------------------
 /// As HalfEdgeMesh::Flip: the left face a b c becomes d c a, the right one b a d becomes c d b.
-///   The samples are as the last
-/// evaluation found them.
+/// The samples are as the last evaluation found them.
 void PatchFit::Flip(const Edge& edge)
 {
   const auto find = [this](std::size_t vertex, std::size_t face)
@@ -135,7 +134,7 @@ void PatchFit::Flip(const Edge& edge)
 }
 
 //------------------------------------------------------------------------------
-/// The edges of the vertex whose other diagonal is better.  @param ratio Of its faces.
+/// The edges of the vertex whose other diagonal is better.  @param ratio The ratio of its faces.
 void PatchFit::FlipAround(std::size_t vertex, double ratio)
 {
   const std::vector<Corner>& fan = this->Vertices[vertex].Fan;

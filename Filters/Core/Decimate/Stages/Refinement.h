@@ -25,8 +25,8 @@ class Refinement
 {
 public:
   /// @param original The mesh before the first collapse; must not change.
-  /// @param shapeWeight Of Decimate/Cost/SampledErrorCost.h; 0 where a bound or voxels limit the
-  ///   edits.
+  /// @param shapeWeight The weight of Decimate/Cost/SampledErrorCost.h; 0 where a bound or voxels
+  ///   limit the edits.
   Refinement(Editor& editor, const HalfEdgeMesh& original, double shapeWeight, int threads);
 
   /// Monitors receive fractions from 0 to 1. False if the monitor requests a stop; the surface is

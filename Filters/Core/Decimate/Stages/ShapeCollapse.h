@@ -21,8 +21,8 @@ namespace bonedecimate
 class ShapeCollapse
 {
 public:
-  /// @param largestCosine That of the least angle.  @param enough That of an angle that needs no
-  ///   improvement.
+  /// @param largestCosine That of the least angle.
+  /// @param enough That of an angle that needs no improvement.
   ShapeCollapse(Editor& editor, double largestCosine, double enough)
     : MeshEditor(editor)
     , MaxCosine(largestCosine)

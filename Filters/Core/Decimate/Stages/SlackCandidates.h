@@ -42,8 +42,8 @@ struct SlackCandidate
 class SlackCandidates
 {
 public:
-  /// @param editor Must keep quadrics, and they must be right.  @param farthest The largest ratio
-  ///   of a candidate.
+  /// @param editor Must keep quadrics, and they must be right.
+  /// @param farthest The largest ratio of a candidate.
   SlackCandidates(const Editor& editor, const Samples& samples, const BackHints& hints,
     double farthest, int threads);
 

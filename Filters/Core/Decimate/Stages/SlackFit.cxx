@@ -144,7 +144,7 @@ double SlackFit::LimitOver(Index triangle) const
 }
 
 //------------------------------------------------------------------------------
-/// @param fraction Of the vertex, in the point.
+/// @param fraction The fraction of the vertex, in the point.
 PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction, double weight)
 {
   PointOnMesh found = WalkFrom(this->Back.Original(), p, hint);

@@ -67,9 +67,9 @@ public:
   void Use(Of part) { this->Part = part; }
   /// One sample that was a member of an evaluation.
   void AddMember(const Member& member) { this->Gathered.push_back(member); }
-  /// With the vertex at x.  @param hint An original triangle near x.  @param enough An error at
-  ///                                                                  which the evaluation ends;
-  ///                                                                    the
+  /// With the vertex at x.
+  /// @param hint An original triangle near x.
+  /// @param enough An error at which the evaluation ends; the
   /// value is infinite then.
   Value Evaluate(
     const Vector3& x, Index hint, double enough = std::numeric_limits<double>::infinity());

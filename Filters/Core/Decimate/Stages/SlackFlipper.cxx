@@ -44,8 +44,8 @@ bool SlackFlipper::Run(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// @param corners Around the vertex of both: it, and those of the faces in order.  @param faces The
-///   samples that belong to them.
+/// @param corners Around the vertex of both: it, and those of the faces in order.
+/// @param faces The samples that belong to them.
 void SlackFlipper::Gather(const std::array<Vector3, 4>& corners, const std::array<FaceId, 2>& faces)
 {
   this->Slack.Clear();

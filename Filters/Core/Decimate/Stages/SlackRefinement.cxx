@@ -110,7 +110,7 @@ std::vector<std::vector<Index>> SlackRefinement::ColorVertices() const
 }
 
 //------------------------------------------------------------------------------
-/// @param vertices Of which no two have a face in common.
+/// @param vertices Vertices of which no two have a face in common.
 bool SlackRefinement::MoveAll(const std::vector<Index>& vertices, const Monitor& monitor)
 {
   constexpr double evaluatedAt = 0.6;

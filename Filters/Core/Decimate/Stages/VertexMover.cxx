@@ -96,8 +96,8 @@ PointOnMesh VertexMover::FindOriginal(VertexId vertex)
 }
 
 //------------------------------------------------------------------------------
-/// Error of the sharp edges from the vertex, if it were there.  @param hint The original triangle
-///                                                              near it.
+/// Error of the sharp edges from the vertex, if it were there.
+/// @param hint The original triangle near it.
 double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equations) const
 {
   const FarPenalty& far = this->Weigh.OfChords();

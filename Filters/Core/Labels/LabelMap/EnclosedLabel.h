@@ -20,7 +20,7 @@ struct EnclosedLabel
 };
 
 /**
- * @param values Of the map, ascending.
+ * @param values The values of the map, ascending.
  * @param wanted The background: the only other label of the map.
  */
 EnclosedLabel FindEnclosedLabel(

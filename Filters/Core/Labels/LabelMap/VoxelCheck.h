@@ -62,8 +62,8 @@ VoxelChanges CompareVoxels(const LabeledSurface& reference, const LabeledSurface
 /// Compares the voxels of the image, and those outside of it that the surface
 /// touches, which are background.
 /// @param image Its grid is used, not that of the settings.
-/// @param values Of the labels by index, the background last; labels that are not listed count as
-/// background. Empty: all labels but 0 have index 0.
+/// @param values The values of the labels by index, the background last; labels that are not listed
+/// count as background. Empty: all labels but 0 have index 0.
 VoxelChanges CompareVoxels(const LabelImage& image, const std::vector<std::int64_t>& values,
   const LabeledSurface& result, const VoxelCheckSettings& settings, const Monitor& monitor = {});
 }

@@ -43,7 +43,7 @@ int WindingOf(const Vector3& a, const Vector3& b, const Vector3& p)
 }
 
 /// The lowest voxel center along the first axis that is above the triangle or on it.
-/// @param sign Of the first coordinate of the normal.
+/// @param sign The sign of the first coordinate of the normal.
 std::int64_t FirstAbove(const std::array<Vector3, 3>& corners, Vector3 p, int sign)
 {
   const OrientedPlane plane(corners[0], corners[1], corners[2]);

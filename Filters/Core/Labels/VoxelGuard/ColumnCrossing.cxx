@@ -48,7 +48,7 @@ int SideOfEdge(const FixedPoint& a, const FixedPoint& b, const FixedPoint& p)
 class TrianglePlane
 {
 public:
-  /// @param p On the column, at any height.  @param side Of the column for all edges:
+  /// @param p On the column, at any height.  @param side The side of the column for all edges:
   /// the sign of the normal along it.
   TrianglePlane(
     const FixedPoint& a, const FixedPoint& b, const FixedPoint& c, const FixedPoint& p, int side)

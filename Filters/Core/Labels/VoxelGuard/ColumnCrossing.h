@@ -42,7 +42,7 @@ struct ColumnCrossing
   std::int64_t Below = 0; ///< The highest voxel center below the triangle.
 };
 
-/// @param box Of the triangle.
+/// @param box The box of the triangle.
 ColumnCrossing CrossColumn(const FixedTriangle& corners, const FixedBox& box, const Column& column,
   const CenterLattice& lattice = {});
 }

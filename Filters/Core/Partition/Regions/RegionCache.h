@@ -53,7 +53,7 @@ public:
     const Surface& input, const Labels* labels, bool mergePoints, int threads);
 
   /// The result for this region of the last surface; null: none is kept.
-  /// @param options Of the region's run.
+  /// @param options The options of the region's run.
   std::shared_ptr<const RegionPart> Find(
     const Region& region, const Options& options, bool inputIsSingle);
   void Keep(

@@ -24,7 +24,7 @@ namespace bonedecimate
 std::vector<Region> FindRegions(
   const Surface& clean, const std::vector<double>& tolerances, double reach, int threads);
 
-/// @param input Of which the cleaned surface was made.
+/// @param input The surface of which the cleaned surface was made.
 RegionPart CutRegion(
   const Surface& input, const CleanSurface& clean, const Region& region, int threads);
 }

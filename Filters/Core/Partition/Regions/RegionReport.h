@@ -25,7 +25,7 @@ bool ArePartsValid(const WholeSurface& whole, const RegionParts& parts,
 void CombineReports(const WholeSurface& whole, const RegionParts& parts,
   const std::map<Index, ExtentChange>& changes, bool wantsProof, Result& result);
 
-/// @param labels Of the input.
+/// @param labels The labels of the input.
 std::vector<LabelArea> AreasOfLabels(
   const WholeSurface& whole, const RegionParts& parts, const Labels& labels);
 }

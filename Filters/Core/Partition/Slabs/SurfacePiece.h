@@ -34,7 +34,7 @@ SurfacePiece Joined(SurfacePiece first, const SurfacePiece& second);
 double MaxCoordinateOf(const Surface& surface);
 
 /// Removes points without triangles.
-/// @return Of each point that is left, its old index.
+/// @return For each point that is left, its old index.
 std::vector<Index> RemoveUnusedPoints(Surface& surface);
 }
 

@@ -68,8 +68,8 @@ public:
   ErrorBound(
     const HalfEdgeMesh& atFirst, const BoundingTree& tree, const ErrorBoundSettings& settings);
   /// For a run that continues an earlier one: nothing is covered before ProveStart (StartProof.h).
-  /// @param reference Must outlive this object.  @param mesh Before the first edit. Settings must
-  ///   have no tolerances.
+  /// @param reference Must outlive this object.
+  /// @param mesh Before the first edit. Settings must have no tolerances.
   ErrorBound(
     const ReferenceMesh& reference, const HalfEdgeMesh& mesh, const ErrorBoundSettings& settings);
   ~ErrorBound() override;
@@ -93,8 +93,8 @@ public:
   double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
   const ErrorLimits& Limits() const { return this->Allowed; }
 
-  /// Covers the boundaries of the original by those of the mesh, as ProveStart.  @return Triangles
-  ///   of edges that are not proved.
+  /// Covers the boundaries of the original by those of the mesh, as ProveStart.
+  /// @return Triangles of edges that are not proved.
   std::vector<Index> CoverBoundaries(const HalfEdgeMesh& mesh, const Zone* zone);
 
 private:

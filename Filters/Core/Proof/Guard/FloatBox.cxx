@@ -9,8 +9,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Beyond the value by more than the rounding to single precision and that of this.  @param
-///   direction 1: above; -1: below.
+/// Beyond the value by more than the rounding to single precision and that of this.
+/// @param direction 1: above; -1: below.
 float Beyond(double value, float direction)
 {
   constexpr float relative = 1.2e-7F; // more than an epsilon

@@ -263,7 +263,7 @@ private:
     this->Keep(std::move(insideOut));
   }
 
-  /// @param isOdd Of each point: whether one of its edges is not manifold or not consistent.
+  /// @param isOdd For each point: whether one of its edges is not manifold or not consistent.
   void CountEdges(
     std::vector<Edge>& edges, std::vector<bool>& isOdd, std::vector<std::array<Index, 2>>& open)
   {

@@ -30,7 +30,7 @@ struct CountsOfInput
 /**
  * A sentence for each. The diagnostics, which take time, are run only if the counts tell that most
  * of the surface is not manifold or not connected, or that it is closed and its volume negative.
- * @param surface Of the same run, before cleaning.
+ * @param surface The surface of the same run, before cleaning.
  */
 std::vector<std::string> SurfaceHints(
   const Surface& surface, const CountsOfInput& counts, int threads = 0);

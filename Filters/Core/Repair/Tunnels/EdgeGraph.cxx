@@ -145,7 +145,7 @@ void EdgeGraph::MakeSpokes(std::size_t points)
 }
 
 //------------------------------------------------------------------------------
-/// Counts the components.  @return Of each edge whether it is in the tree.
+/// Counts the components.  @return For each edge whether it is in the tree.
 std::vector<bool> EdgeGraph::GrowTrees(std::size_t points)
 {
   std::vector<bool> isInTree(this->EdgeList.size(), false);

@@ -33,7 +33,7 @@ struct TunnelPlug
 class PlugMaker
 {
 public:
-  /// @param graph Of the remaining triangles.  @param ids Their ids in the surface.
+  /// @param graph The graph of the remaining triangles.  @param ids Their ids in the surface.
   PlugMaker(const PluggedSurface& surface, const EdgeGraph& graph, const Surface& remaining,
     const std::vector<Index>& ids, const TunnelConstraints& constraints)
     : Plugged(surface)

@@ -37,7 +37,7 @@ InputStatus CheckEdgeLengths(
 double ChordalLength(double curvature, double error);
 
 /// Relative to the local origin of the input; null: EdgeLength everywhere, or none.
-/// @param given As above.  @param mesh Of the cleaned surface, before the first edit.
+/// @param given As above.  @param mesh The mesh of the cleaned surface, before the first edit.
 std::shared_ptr<const SizingField> MakeSizingField(const CleanSurface& clean,
   const HalfEdgeMesh& mesh, const std::vector<double>* given, const Options& options);
 

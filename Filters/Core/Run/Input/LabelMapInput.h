@@ -48,7 +48,7 @@ std::vector<BoundaryLabels> BoundaryLabelsOf(
   const CleanSurface& clean, const LabelMapSource& source);
 
 /// Voxelizes input and result.
-/// @param resultLabels Of each triangle of the result; empty if the source has none.
+/// @param resultLabels For each triangle of the result; empty if the source has none.
 VoxelReport CompareWithInput(const Surface& input, const Surface& result,
   const std::vector<BoundaryLabels>& resultLabels, const LabelMapSource& source, int threads,
   const Monitor& monitor);

@@ -34,7 +34,7 @@ struct WeldedPoints
 };
 
 /// @param input With valid corners and points (CheckSurface). @param distance mm, above 0.
-/// @param stays Of each point: whether it may not take part. Empty: none.
+/// @param stays For each point: whether it may not take part. Empty: none.
 WeldedPoints Weld(const Surface& input, double distance, const std::vector<char>& stays);
 }
 

@@ -12,7 +12,7 @@
 
 namespace bonedecimate
 {
-/// @param log Of the editor, positions in mm relative to the origin of the cleaned input.
+/// @param log The log of the editor, positions in mm relative to the origin of the cleaned input.
 /// @param mesh After the last edit.
 /// @return The log with positions in mm as they are written.
 EditLog FinishLog(EditLog log, const RunTask& task, const CleanSurface& cleaned,
