@@ -133,8 +133,8 @@ public:
   Decision CollapseTogether(const std::vector<Edit>& edits);
 
   /// Collapses an inside edge, moves vertices and flips edges near it, as one edit: all or nothing.
-  /// The states between, which may exceed the error bound, are never in the mesh, and no level of
-  /// the log ends in them. No other worker may be active; counts are settled. Quadrics are not
+  /// The states between, which may exceed the error bound, are never left in the mesh, and no level
+  /// of the log ends in them. No other worker may be active; counts are settled. Quadrics are not
   /// updated.
   Decision CollapseAndMove(const Edit& edit, const NearbyEdits& nearby, Workspace& work);
 
