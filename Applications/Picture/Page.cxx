@@ -3,7 +3,7 @@
 #include "Page.h"
 
 #include "Base/Text.h"
-#include "Mesh/Rejection.h"
+#include "Figures/Rejection.h"
 #include "NumberText.h"
 #include "PageParts.h"
 #include "PageTemplate.h"

@@ -4,10 +4,10 @@
  * @file PartsOfSurface.cxx
  * @brief What vtkBoneDecimate offers to classes that simplify a surface in parts.
  */
+#include "FiguresOfParts.h"
 #include "Geometry/NearSurface.h"
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
-#include "LeftOutOfParts.h"
 #include "Partition/Slabs/ContinuedProof.h"
 #include "Run/Input/ComponentCensus.h"
 #include "Run/Input/InputSize.h"
@@ -22,6 +22,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -33,9 +34,11 @@ using namespace bonedecimate;
 /// numbers.
 bool IsOfWhole(const std::string& name)
 {
-  return name.rfind("smoothing.", 0) == 0 || name.rfind("voxels.", 0) == 0 ||
-    name.rfind("pruned.", 0) == 0 || name.rfind("left_out.", 0) == 0 || name == "proof.sentence" ||
-    name == "output.checksum";
+  static const char* const groups[] = { "smoothing.", "voxels.", "pruned.", "left_out.",
+    "rejections.", "draft.", "forced_collapses." };
+  return name == "proof.sentence" || name == "output.checksum" || name == "collapses" ||
+    std::any_of(std::begin(groups), std::end(groups),
+      [&name](const std::string& group) { return name.compare(0, group.size(), group) == 0; });
 }
 
 template <typename Value>
@@ -345,6 +348,7 @@ void vtkBoneDecimate::SetReportOfParts(const std::map<std::string, double>& entr
   report.Output.Faces = static_cast<std::int64_t>(of("output.triangles"));
   report.Proof.WasMade = entries.count("proof.upper") > 0;
   report.Proof.OutputToInput.Upper = of("proof.upper");
+  report.Requested = this->State->Options;
   report.Pruned = this->State->Report.Pruned;
   report.Smoothing = this->State->Report.Smoothing;
   report.Voxels = this->State->Report.Voxels;

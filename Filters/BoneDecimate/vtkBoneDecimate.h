@@ -218,9 +218,11 @@ protected:
   std::vector<char> FiguresOfSegmentation() const;
   void TakeFiguresOfSegmentation(const std::vector<char>& bytes);
 
-  /// What the run of this part left out, and a checksum of the output of this part, for
-  /// SetReportOfParts().
-  Numbers FiguresOfPart(const vtkBoneDecimate& run, vtkPolyData* output) const;
+  /// Adds the edits of a run of this part, and what it left out, to the figures of the part.
+  void AddRun(const vtkBoneDecimate& run);
+
+  /// The figures of the part, with a checksum of its output, for SetReportOfParts().
+  Numbers FiguresOfPart(vtkPolyData* output) const;
 
   /// The report of the whole surface: entries that are numbers, by name, among them the figures of
   /// the getters, and what

@@ -216,6 +216,6 @@ void vtkPBoneDecimate::Report(const Plan& plan, vtkPolyData* output)
   {
     entries["proof.upper"] = plan.Proved;
   }
-  entries.insert(plan.Counts.begin(), plan.Counts.end());
-  this->SetReportOfParts(entries, bonedecimate::AllNumbers(plan.Figures, this->Controller), output);
+  this->SetReportOfParts(
+    entries, bonedecimate::AllNumbers(this->FiguresOfPart(output), this->Controller), output);
 }

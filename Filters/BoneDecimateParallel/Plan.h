@@ -12,8 +12,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <map>
-#include <string>
 #include <vector>
 
 struct vtkPBoneDecimate::Plan
@@ -49,9 +47,6 @@ struct vtkPBoneDecimate::Plan
   bool ReducesStrips = false;
   double StripsBefore = 0.0; ///< Triangles of the strips before and after phase 2.
   double StripsAfter = 0.0;
-  std::vector<double> Figures; ///< FiguresOfPart() of this process.
-  /// Counts of edits of all processes and phases, by names in the report.
-  std::map<std::string, double> Counts;
 
   /// Distance that phase 1 keeps from the neighbors, mm.
   double NeighborDistance() const { return ErrorsOfNeighbors * this->Error; }

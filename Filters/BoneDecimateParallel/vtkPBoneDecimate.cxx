@@ -249,7 +249,7 @@ int vtkPBoneDecimate::RunTogether(
   output->ShallowCopy(run->GetOutput());
   inputCopy->ShallowCopy(run->GetOutputDataObject(1));
   plan.Proved = this->ProvedByAll(run);
-  this->AddCounts(run, plan);
+  this->AddRun(*run);
   if (plan.ReducesStrips)
   {
     this->ReduceSharedStrips(input, plan, output, inputCopy);
@@ -261,7 +261,6 @@ int vtkPBoneDecimate::RunTogether(
   this->CompareVoxelsTogether(output, plan);
   output->GetCellData()->RemoveArray(bonedecimate::CellLabelsName);
   inputCopy->GetCellData()->RemoveArray(bonedecimate::CellLabelsName);
-  plan.Figures = this->FiguresOfPart(*run, output);
   this->Report(plan, output);
   return 1;
 }
@@ -273,20 +272,6 @@ double vtkPBoneDecimate::ProvedByAll(vtkPBoneDecimate* run) const
   const double proved = run->GetProvedError();
   const double most = this->OfAll(std::isnan(proved) ? -1.0 : proved, vtkCommunicator::MAX_OP);
   return most < 0.0 ? std::nan("") : most;
-}
-
-//------------------------------------------------------------------------------
-/// Adds what the phase did on all processes. A count that no report has is left out.
-void vtkPBoneDecimate::AddCounts(vtkPBoneDecimate* run, Plan& plan) const
-{
-  for (const char* name : { "collapses", "forced_collapses.tried", "forced_collapses.made" })
-  {
-    const double own = run->GetReportValue(name);
-    if (this->IsTrueAnywhere(!std::isnan(own)))
-    {
-      plan.Counts[name] += this->OfAll(std::isnan(own) ? 0.0 : own, vtkCommunicator::SUM_OP);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

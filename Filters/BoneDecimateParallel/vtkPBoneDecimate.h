@@ -89,7 +89,6 @@ private:
   int RunTogether(vtkPolyData* input, vtkPolyData* reference, double voxelSize,
     vtkInformationVector* outputVector);
   double ProvedByAll(vtkPBoneDecimate* run) const;
-  void AddCounts(vtkPBoneDecimate* run, Plan& plan) const;
 
   double WholeDiagonal(vtkPolyData* input) const;
   double TargetTriangles(double total, double error, bool isLimited) const;

@@ -169,7 +169,7 @@ void AddReport(Fnv& sum, const Report& report)
   sum.Add(report.InputToOutput.Mean);
   sum.Add(report.Proof.Lower());
   sum.Add(report.Proof.Upper());
-  sum.Add(report.Collapses);
+  sum.Add(report.Edits.Collapses);
   for (const LabelArea& area : report.Labels)
   {
     sum.Add(area.Output);

@@ -226,7 +226,8 @@ void ExpectReportIsTrue(const Surface& before, const Result& result)
   expectSide(result.Report.Input, before);
   expectSide(result.Report.Output, result.Surface);
   EXPECT_EQ(result.Report.Status, InputStatus::Good);
-  EXPECT_EQ(result.Report.Output.Points + result.Report.Collapses, result.Report.Input.Points);
+  EXPECT_EQ(
+    result.Report.Output.Points + result.Report.Edits.Collapses, result.Report.Input.Points);
   EXPECT_FALSE(result.Report.DistancesMeasured);
 }
 }

@@ -232,14 +232,14 @@ TEST(Draft, IsReportedWithAReason)
 {
   const Surface input = Icosphere(4, 10.0);
   const Report report = Decimate(input, InMode(Mode::Fast, Error(0.1))).Report;
-  EXPECT_EQ(report.Draft.Status, DraftStatus::Used);
-  EXPECT_GT(report.Draft.Collapses, report.Draft.Undone);
-  EXPECT_EQ(Decimate(input, Triangles(1000)).Report.Draft.Status, DraftStatus::NoBound);
-  EXPECT_EQ(
-    Decimate(input, InMode(Mode::Thesis, Error(0.1))).Report.Draft.Status, DraftStatus::NoBound);
+  EXPECT_EQ(report.Edits.Draft.Status, DraftStatus::Used);
+  EXPECT_GT(report.Edits.Draft.Collapses, report.Edits.Draft.Undone);
+  EXPECT_EQ(Decimate(input, Triangles(1000)).Report.Edits.Draft.Status, DraftStatus::NoBound);
+  EXPECT_EQ(Decimate(input, InMode(Mode::Thesis, Error(0.1))).Report.Edits.Draft.Status,
+    DraftStatus::NoBound);
   Options careful = InMode(Mode::Fast, Error(0.1));
   careful.ProveEachEdit = true;
-  EXPECT_EQ(Decimate(input, careful).Report.Draft.Status, DraftStatus::EachEditIsProved);
+  EXPECT_EQ(Decimate(input, careful).Report.Edits.Draft.Status, DraftStatus::EachEditIsProved);
 }
 
 TEST(Draft, ReachesATargetWithinTheBound)

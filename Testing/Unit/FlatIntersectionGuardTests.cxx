@@ -52,7 +52,7 @@ TEST(FlatIntersectionGuard, FlatPartsAreSimplifiedAsIfNothingWereNear)
       EXPECT_TRUE(expected == 0 || count == expected) << WordOf(mode) << count;
       EXPECT_EQ(CountCrossings(with.Surface), 0) << WordOf(mode) << expected;
       const std::size_t crossing = static_cast<std::size_t>(Rejection::Intersection);
-      EXPECT_LE(with.Report.Rejections[crossing], 10) << WordOf(mode) << expected;
+      EXPECT_LE(with.Report.Edits.Rejections[crossing], 10) << WordOf(mode) << expected;
     }
   }
 }
@@ -84,8 +84,8 @@ TEST(FlatIntersectionGuard, NearWallsAreNotTriedOverAndOver)
   EXPECT_EQ(CountCrossings(result.Surface), 0);
   EXPECT_GE(LeastDistanceOfComponents(result.Surface), 0.5 * LeastDistanceOfComponents(spheres));
   const std::size_t crossing = static_cast<std::size_t>(Rejection::Intersection);
-  EXPECT_LT(
-    result.Report.Rejections[crossing], static_cast<std::int64_t>(30 * spheres.Triangles.size()));
+  EXPECT_LT(result.Report.Edits.Rejections[crossing],
+    static_cast<std::int64_t>(30 * spheres.Triangles.size()));
 }
 
 /// A cone whose tip touches a plate from below. As many pairs intersect when the tip goes through

@@ -211,7 +211,7 @@ TEST(ErrorBoundModes, ComeNearToTheLeastNumberOfTrianglesOfASphere)
   const double least = 4.0 * 3.14159265358979 * radius / (3.0 * std::sqrt(3.0) * error);
   const Result result = Decimate(Icosphere(4, radius), InMode(Mode::Accurate, Error(error)));
   EXPECT_LT(result.Surface.Triangles.size(), 1.3 * least);
-  EXPECT_GT(result.Report.Forced.Made, result.Report.Forced.Tried / 10);
+  EXPECT_GT(result.Report.Edits.Forced.Made, result.Report.Edits.Forced.Tried / 10);
 }
 
 TEST(ErrorBoundModes, NeedFewerTrianglesForMoreEffort)
@@ -227,7 +227,7 @@ TEST(ErrorBoundModes, NeedFewerTrianglesForMoreEffort)
       const Result result = Decimate(input, options);
       EXPECT_LT(result.Surface.Triangles.size(), effort == 0.0 ? before + 1 : before)
         << WordOf(mode) << " " << effort;
-      EXPECT_EQ(result.Report.Forced.Tried > 0, mode == Mode::Accurate && effort > 0.0);
+      EXPECT_EQ(result.Report.Edits.Forced.Tried > 0, mode == Mode::Accurate && effort > 0.0);
       before = result.Surface.Triangles.size();
     }
   }

@@ -220,7 +220,7 @@ TEST_F(KeepVoxelsOption, AloneRunsUntilNoEditIsPossible)
   const Result alone = this->Run(Keeping(Unmeasured()));
   EXPECT_EQ(alone.Report.Stop, StopReason::NothingLeft);
   EXPECT_LE(alone.Surface.Triangles.size(), reduced.Surface.Triangles.size());
-  EXPECT_GT(alone.Report.Rejections[static_cast<std::size_t>(Rejection::VoxelLabel)], 0);
+  EXPECT_GT(alone.Report.Edits.Rejections[static_cast<std::size_t>(Rejection::VoxelLabel)], 0);
 }
 
 TEST_F(KeepVoxelsOption, HoldsWhereWritingRoundsPositions)

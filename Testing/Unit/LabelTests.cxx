@@ -82,7 +82,8 @@ TEST_P(LabelsInMode, FeatureCurvesAreCoarserAndMatched)
   {
     EXPECT_EQ(positions.count(position), 1U) << "a line left itself";
   }
-  EXPECT_EQ(result.Report.Output.Points + result.Report.Collapses, result.Report.Input.Points);
+  EXPECT_EQ(
+    result.Report.Output.Points + result.Report.Edits.Collapses, result.Report.Input.Points);
   ASSERT_EQ(result.Report.Labels.size(), 3U);
   EXPECT_LT(MaxLabelChange(result.Report.Labels), 0.03);
 }

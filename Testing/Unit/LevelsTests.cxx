@@ -121,7 +121,7 @@ TEST(Levels, TheLastLevelIsTheResultOfTheRunAndTheFirstIsTheInput)
         const Recorded recorded = Record(shape.Surface, options, isSingle);
         ASSERT_TRUE(recorded.Levels.IsOpen());
         const Index last = recorded.Levels.NumberOfCollapses();
-        EXPECT_EQ(last, recorded.Run.Report.Collapses);
+        EXPECT_EQ(last, recorded.Run.Report.Edits.Collapses);
         EXPECT_TRUE(SameBytes(recorded.Levels.At(last).Surface, recorded.Run.Surface));
         const std::vector<LoggedPatch>& patches = recorded.Levels.Log().Patches;
         if (patches.empty() || patches.front().Collapses > 0)

@@ -95,7 +95,7 @@ TEST(RegionCache, ChangesNoByte)
     EXPECT_TRUE(SameBytes(kept.Surface, fresh.Surface));
     EXPECT_EQ(kept.ErrorBound, fresh.ErrorBound);
     EXPECT_EQ(kept.Origins.NearestPoint, fresh.Origins.NearestPoint);
-    EXPECT_EQ(kept.Report.Collapses, fresh.Report.Collapses);
+    EXPECT_EQ(kept.Report.Edits.Collapses, fresh.Report.Edits.Collapses);
     EXPECT_EQ(kept.Report.Proof.Upper(), fresh.Report.Proof.Upper());
   }
 }

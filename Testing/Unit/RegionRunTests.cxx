@@ -212,7 +212,7 @@ TEST(Region, ReportsProofAndDistancesOfTheWhole)
   const Result whole = StrokeOfWhole(input, options, map);
   EXPECT_EQ(report.Cleaning.ConstrainedPoints, whole.Report.Cleaning.ConstrainedPoints);
   EXPECT_EQ(report.Stop, whole.Report.Stop);
-  EXPECT_EQ(report.Draft.Status, whole.Report.Draft.Status);
+  EXPECT_EQ(report.Edits.Draft.Status, whole.Report.Edits.Draft.Status);
 }
 
 TEST(Region, KnowsWhereItsPointsAndTrianglesComeFrom)

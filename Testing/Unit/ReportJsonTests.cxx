@@ -57,8 +57,8 @@ TEST(ReportFigures, AreNotANumberWithoutProofAndDistances)
   report.OutputToInput.Maximum = 0.25;
   EXPECT_EQ(ProvedError(report), 0.5);
   EXPECT_EQ(MeasuredError(report), 0.25);
-  report.Rejections[static_cast<std::size_t>(Rejection::Flip)] = 3;
-  report.Rejections[static_cast<std::size_t>(Rejection::ErrorBound)] = 4;
+  report.Edits.Rejections[static_cast<std::size_t>(Rejection::Flip)] = 3;
+  report.Edits.Rejections[static_cast<std::size_t>(Rejection::ErrorBound)] = 4;
   EXPECT_EQ(RejectedEdits(report), 7);
   EXPECT_EQ(RejectedEdits(report, "flip"), 3);
   EXPECT_EQ(RejectedEdits(report, "no such reason"), 0);

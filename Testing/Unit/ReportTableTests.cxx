@@ -46,7 +46,7 @@ Report MeasuredReport()
   report.InputToOutput.Mean = 0.125;
   report.BoundariesMeasured = true;
   report.BoundaryInputToOutput = { 0.375, 0.4375 };
-  report.Rejections[static_cast<std::size_t>(Rejection::Flip)] = 17;
+  report.Edits.Rejections[static_cast<std::size_t>(Rejection::Flip)] = 17;
   report.InputChecksum = 0xABCULL;
   return report;
 }

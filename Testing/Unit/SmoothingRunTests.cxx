@@ -91,7 +91,7 @@ TEST(SmoothingRun, AloneGivesTheSmoothedSurfaceProved)
     const Result result = Decimate(torus.Surface, InMode(mode, Smoothed(0.25, Reduction(0.0))));
     ASSERT_EQ(result.Report.Status, InputStatus::Good);
     EXPECT_EQ(result.Surface.Triangles.size(), torus.Surface.Triangles.size());
-    EXPECT_EQ(result.Report.Collapses, 0);
+    EXPECT_EQ(result.Report.Edits.Collapses, 0);
     EXPECT_EQ(result.Report.Proof.WasMade, FindMode(mode).ProvesError());
     if (result.Report.Proof.WasMade)
     {

@@ -163,7 +163,7 @@ TEST_P(EachTolerance, OfZeroConstrainsInEveryMode)
   {
     const Result result = DecimateWith(input, InMode(mode, Reduction(0.9)), map);
     ExpectConstrained(input, map, result.Surface);
-    EXPECT_EQ(result.Report.Rejections[static_cast<std::size_t>(Rejection::ErrorBound)], 0)
+    EXPECT_EQ(result.Report.Edits.Rejections[static_cast<std::size_t>(Rejection::ErrorBound)], 0)
       << WordOf(mode);
   }
 }

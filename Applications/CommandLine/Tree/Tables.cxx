@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tree/Tables.h"
 
+#include "Figures/Rejection.h"
 #include "Formats/SurfaceFormat.h"
-#include "Mesh/Rejection.h"
 #include "Options/Modes.h"
 #include "Options/Options.h"
 

@@ -7,6 +7,9 @@
 #ifndef BoneDecimate_Core_Figures_EditFigures_h
 #define BoneDecimate_Core_Figures_EditFigures_h
 
+#include "Rejection.h"
+
+#include <array>
 #include <cstdint>
 
 namespace bonedecimate
@@ -68,6 +71,19 @@ struct ForcedCollapseFigures
 {
   std::int64_t Tried = 0; ///< On a copy of their neighborhood.
   std::int64_t Made = 0;  ///< Proved and applied.
+};
+
+/// The edits of a run, or of all parts of a surface.
+struct EditFigures
+{
+  std::int64_t Collapses = 0;
+  /// By Rejection; [NotRejected] is always 0.
+  std::array<std::int64_t, NumberOfRejections> Rejections{};
+  DraftFigures Draft;
+  ForcedCollapseFigures Forced; ///< Only in modes that make them, with an error bound.
+
+  /// The status of the drafts is then the last in the enumeration.
+  void Add(const EditFigures& ofPart);
 };
 }
 

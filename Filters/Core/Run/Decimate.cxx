@@ -107,7 +107,7 @@ void RunModeStages(const RunTask& task, const PreparedInput& prepared, Editor& e
   input.Threads = options.NumberOfThreads;
   input.RefinementEffort = options.RefinementEffort;
   input.Shape = ShapeLimitsOf(options, prepared.Sizes);
-  input.Forced = &report.Forced;
+  input.Forced = &report.Edits.Forced;
   if (input.Mode.HasNormalTolerance())
   {
     input.NormalTolerance = NormalToleranceOf(options, input.Stops, faces);
@@ -163,9 +163,9 @@ Surface ExtractResult(const RunTask& task, const PreparedInput& prepared, const 
 
 void ReportEdits(const RunTask& task, const PreparedInput& prepared, Editor& editor, Report& report)
 {
-  report.Collapses = editor.NumberOfCollapses();
-  report.Rejections = editor.Rejections();
-  report.Draft = editor.DraftReport();
+  report.Edits.Collapses = editor.NumberOfCollapses();
+  report.Edits.Rejections = editor.Rejections();
+  report.Edits.Draft = editor.DraftReport();
   if (task.Inputs.Log != nullptr)
   {
     *task.Inputs.Log =

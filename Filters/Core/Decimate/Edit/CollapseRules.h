@@ -8,10 +8,10 @@
 #define BoneDecimate_Core_Decimate_Edit_CollapseRules_h
 
 #include "Decimate/Kernels/Kernels.h"
+#include "Figures/Rejection.h"
 #include "Mesh/EdgeNeighborhood.h"
 #include "Mesh/Edit.h"
 #include "Mesh/HalfEdgeMesh.h"
-#include "Mesh/Rejection.h"
 
 namespace bonedecimate
 {

@@ -26,7 +26,7 @@
 #ifndef BoneDecimate_Core_Decimate_Edit_Draft_h
 #define BoneDecimate_Core_Decimate_Edit_Draft_h
 
-#include "Mesh/Rejection.h"
+#include "Figures/Rejection.h"
 #include "Proof/EditFilters/EditJournal.h"
 #include "Proof/ErrorBound/ErrorLimits.h"
 #include "Proof/Guard/StateCheck.h"

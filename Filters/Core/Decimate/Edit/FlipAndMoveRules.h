@@ -11,8 +11,8 @@
 #ifndef BoneDecimate_Core_Decimate_Edit_FlipAndMoveRules_h
 #define BoneDecimate_Core_Decimate_Edit_FlipAndMoveRules_h
 
+#include "Figures/Rejection.h"
 #include "Mesh/HalfEdgeMesh.h"
-#include "Mesh/Rejection.h"
 #include "Proof/EditFilters/SurfaceChange.h"
 
 #include <array>

@@ -12,8 +12,8 @@
 #ifndef BoneDecimate_Core_Decimate_Edit_SplitRules_h
 #define BoneDecimate_Core_Decimate_Edit_SplitRules_h
 
+#include "Figures/Rejection.h"
 #include "Mesh/HalfEdgeMesh.h"
-#include "Mesh/Rejection.h"
 #include "Proof/EditFilters/SurfaceChange.h"
 
 namespace bonedecimate

@@ -7,6 +7,7 @@
 #include "Proof/Certificate/Certificate.h"
 #include "Run/Input/EdgeLengths.h"
 #include "Run/Output/CompareShapes.h"
+#include "Run/Report/MergeReports.h"
 
 #include <algorithm>
 #include <array>
@@ -144,26 +145,6 @@ void CombineProofs(const RegionParts& parts, Report& report)
   }
 }
 
-void CombineEdits(const RegionParts& parts, Report& report)
-{
-  report.Stop = StopReason::NothingLeft;
-  for (const auto& part : parts)
-  {
-    const Report& one = part->Result.Report;
-    report.Stop = one.Stop;
-    report.Collapses += one.Collapses;
-    for (std::size_t i = 0; i < NumberOfRejections; ++i)
-    {
-      report.Rejections[i] += one.Rejections[i];
-    }
-    report.Draft.Status = std::max(report.Draft.Status, one.Draft.Status);
-    report.Draft.Collapses += one.Draft.Collapses;
-    report.Draft.Undone += one.Draft.Undone;
-    report.Forced.Tried += one.Forced.Tried;
-    report.Forced.Made += one.Forced.Made;
-    report.RunningError = std::max(report.RunningError, one.RunningError); // stays not a number
-  }
-}
 }
 
 bool ArePartsValid(const WholeSurface& whole, const RegionParts& parts,
@@ -201,7 +182,12 @@ void CombineReports(const WholeSurface& whole, const RegionParts& parts,
     result.Surface, report.Requested, ShapeLimitsOf(report.Requested), Vector3::Zero(), report);
   report.InputChecksum = whole.Checksum;
   report.RunningError = result.Distance.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
-  CombineEdits(parts, report);
+  report.Stop = StopReason::NothingLeft;
+  for (const auto& part : parts)
+  {
+    report.Stop = part->Result.Report.Stop;
+    AddPart(part->Result.Report, report);
+  }
   if (report.Requested.MeasureDistances)
   {
     CombineMeasured(parts, report);

@@ -258,11 +258,6 @@ private:
       ProvePart(this->Effective, this->Prepared->Statistics.BoundaryEdges > 0,
         PartOf(monitor, provedFrom, 1.0), part);
     }
-    StageSeconds& seconds = this->Made.Report.Seconds;
-    seconds.Prepare += report.Seconds.Prepare;
-    seconds.Collapse += report.Seconds.Collapse;
-    seconds.Measure += report.Seconds.Measure;
-    seconds.Prove += report.Seconds.Prove;
     return true;
   }
 

@@ -11,12 +11,14 @@
 #include "Run/Input/EdgeLengths.h"
 #include "Run/Output/CompareShapes.h"
 #include "Run/Output/ListLeftOut.h"
+#include "Run/Report/MergeReports.h"
 #include "SlabOptions.h"
 #include "SlabTotals.h"
 #include "ZoneRun.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace bonedecimate
@@ -70,6 +72,9 @@ public:
     {
       this->DecimateTo(Infinity, {}, {});
     }
+    whole.Report.Edits = this->OfZones.Edits;
+    whole.Report.Seconds = this->OfZones.Seconds;
+    whole.Report.RunningError = std::numeric_limits<double>::quiet_NaN(); // is not measured
     whole.Report.Requested = this->Effective;
     if (this->Status == SlabStatus::Good)
     {
@@ -102,6 +107,7 @@ public:
   const SlabInputs Inputs;
   SlabFigures Figures;
   SlabTotals Totals;
+  Report OfZones; ///< Sums.
   SlabStatus Status = SlabStatus::Good;
 
 private:
@@ -260,7 +266,7 @@ private:
     }
     else
     {
-      this->Totals.AddEdits(report);
+      AddPart(report, this->OfZones);
       this->AddProof(made);
       strip = { std::move(made.Run.Surface), std::move(made.Run.BoundaryLabels) };
     }

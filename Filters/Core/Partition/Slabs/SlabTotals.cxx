@@ -99,20 +99,6 @@ void SlabTotals::Add(const Slab& slab, const CleanSurface& clean,
 }
 
 //------------------------------------------------------------------------------
-void SlabTotals::AddEdits(const Report& report)
-{
-  this->Collapses += report.Collapses;
-  for (std::size_t i = 0; i < NumberOfRejections; ++i)
-  {
-    this->Rejections[i] += report.Rejections[i];
-  }
-  this->Seconds.Prepare += report.Seconds.Prepare;
-  this->Seconds.Collapse += report.Seconds.Collapse;
-  this->Seconds.Decimate += report.Seconds.Decimate;
-  this->Seconds.Prove += report.Seconds.Prove;
-}
-
-//------------------------------------------------------------------------------
 std::vector<LeftOutShape> SlabTotals::LeftOut() const
 {
   const std::int64_t count = this->Cleaning.DroppedTriangles;
@@ -137,8 +123,5 @@ void SlabTotals::Write(Report& report) const
   report.Input = this->Sum;
   report.Input.Components = this->NumberOfComponents();
   report.Cleaning = this->Cleaning;
-  report.Collapses = this->Collapses;
-  report.Rejections = this->Rejections;
-  report.Seconds = this->Seconds;
 }
 }

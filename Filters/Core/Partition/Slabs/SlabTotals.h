@@ -31,9 +31,8 @@ public:
   /// whether it is in a plane of the slab.
   void Add(const Slab& slab, const CleanSurface& clean, const std::vector<char>& isInLower,
     const std::vector<char>& isInUpper, int threads);
-  void AddEdits(const Report& report);
 
-  /// Fills in the figures of the input and of all edits.
+  /// Fills in the figures of the input.
   void Write(Report& report) const;
   /// What cleaning dropped.
   std::vector<LeftOutShape> LeftOut() const;
@@ -47,11 +46,8 @@ private:
   SurfaceStatistics Sum;
   CleaningStatistics Cleaning;
   std::vector<std::array<Vector3, 3>> Dropped; // mm
-  std::int64_t Collapses = 0;
-  std::array<std::int64_t, NumberOfRejections> Rejections{};
-  StageSeconds Seconds;
-  std::vector<Index> Parents;           // of components
-  std::map<Coordinates, Index> InPlane; // the last upper plane: the component of each point
+  std::vector<Index> Parents;                  // of components
+  std::map<Coordinates, Index> InPlane;        // the last upper plane: the component of each point
 };
 }
 

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Core_Proof_EditFilters_Decision_h
 #define BoneDecimate_Core_Proof_EditFilters_Decision_h
 
-#include "Mesh/Rejection.h"
+#include "Figures/Rejection.h"
 
 namespace bonedecimate
 {

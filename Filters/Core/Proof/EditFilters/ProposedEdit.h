@@ -7,11 +7,11 @@
 #ifndef BoneDecimate_Core_Proof_EditFilters_ProposedEdit_h
 #define BoneDecimate_Core_Proof_EditFilters_ProposedEdit_h
 
+#include "Figures/Rejection.h"
 #include "FragmentVolumes.h"
 #include "JournalEntry.h"
 #include "Levels/EditLog.h"
 #include "Mesh/Edit.h"
-#include "Mesh/Rejection.h"
 #include "Mesh/VertexRange.h"
 #include "SurfaceChange.h"
 

@@ -165,6 +165,15 @@ const char* StopReasonWord(StopReason reason)
   return WordOf(words, reason);
 }
 
+void StageSeconds::AddStages(const StageSeconds& ofPart)
+{
+  this->Prepare += ofPart.Prepare;
+  this->Collapse += ofPart.Collapse;
+  this->Decimate += ofPart.Decimate;
+  this->Measure += ofPart.Measure;
+  this->Prove += ofPart.Prove;
+}
+
 const char* StopReasonSentence(StopReason reason)
 {
   static const char* const sentences[] = { "Nothing was run.",

@@ -18,11 +18,9 @@
 #include "Figures/SurfaceFigures.h"
 #include "Figures/TunnelFigures.h"
 #include "Labels/LabelMap/VoxelCheck.h"
-#include "Mesh/Rejection.h"
 #include "Options/Options.h"
 #include "Repair/Diagnostics/Diagnostics.h"
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -37,6 +35,9 @@ struct StageSeconds
   double Measure = 0.0;  ///< Statistics of both surfaces and distances.
   double Prove = 0.0;    ///< The certificate of the result.
   double Total = 0.0;
+
+  /// All but the total: parts may run at the same time.
+  void AddStages(const StageSeconds& ofPart);
 };
 
 struct Report
@@ -75,14 +76,10 @@ struct Report
   /// without MeasureDistances and origins); tables omit it then.
   double RunningError = 0.0;
   double NormalTolerance = 0.0; ///< The tolerance w of the thesis; only in mode Thesis.
-  std::int64_t Collapses = 0;
-  /// By Rejection; [NotRejected] is always 0.
-  std::array<std::int64_t, NumberOfRejections> Rejections{};
-  DraftFigures Draft;
+  EditFigures Edits;
   RegionFigures Regions;
   AngleFigures Angles;
   EdgeFigures Edges;
-  ForcedCollapseFigures Forced; ///< Only in modes that make them, with an error bound.
   StageSeconds Seconds;
   std::uint64_t InputChecksum = 0;  ///< Mesh/Checksum.h.
   std::uint64_t OutputChecksum = 0; ///< Independent of the order of triangles; Mesh/Checksum.h.

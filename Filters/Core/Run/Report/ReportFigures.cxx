@@ -22,7 +22,8 @@ double MeasuredError(const Report& report)
 
 std::int64_t RejectedEdits(const Report& report)
 {
-  return std::accumulate(report.Rejections.begin(), report.Rejections.end(), std::int64_t{ 0 });
+  return std::accumulate(
+    report.Edits.Rejections.begin(), report.Edits.Rejections.end(), std::int64_t{ 0 });
 }
 
 std::int64_t RejectedEdits(const Report& report, const std::string& reason)
@@ -31,7 +32,7 @@ std::int64_t RejectedEdits(const Report& report, const std::string& reason)
   {
     if (reason == RejectionTable[i].Word)
     {
-      return report.Rejections[i];
+      return report.Edits.Rejections[i];
     }
   }
   return 0;

@@ -248,21 +248,22 @@ void AddRun(Entries& entries, const Report& report)
   {
     entries.push_back({ "normal_tolerance", "", report.NormalTolerance });
   }
-  entries.push_back({ "collapses", "", report.Collapses });
+  entries.push_back({ "collapses", "", report.Edits.Collapses });
   for (std::size_t i = 1; i < NumberOfRejections; ++i)
   {
     entries.push_back(
-      { std::string("rejections.") + RejectionTable[i].Word, "", report.Rejections[i] });
+      { std::string("rejections.") + RejectionTable[i].Word, "", report.Edits.Rejections[i] });
   }
-  if (report.Draft.Status != DraftStatus::NoBound)
+  if (report.Edits.Draft.Status != DraftStatus::NoBound)
   {
-    entries.push_back({ "draft.status", "", std::string(DraftStatusWord(report.Draft.Status)) });
-    entries.push_back({ "draft.collapses", "", report.Draft.Collapses });
-    entries.push_back({ "draft.undone", "", report.Draft.Undone });
+    entries.push_back(
+      { "draft.status", "", std::string(DraftStatusWord(report.Edits.Draft.Status)) });
+    entries.push_back({ "draft.collapses", "", report.Edits.Draft.Collapses });
+    entries.push_back({ "draft.undone", "", report.Edits.Draft.Undone });
     if (FindMode(report.Requested.Mode).Refine.ForcedRounds > 0)
     {
-      entries.push_back({ "forced_collapses.tried", "", report.Forced.Tried });
-      entries.push_back({ "forced_collapses.made", "", report.Forced.Made });
+      entries.push_back({ "forced_collapses.tried", "", report.Edits.Forced.Tried });
+      entries.push_back({ "forced_collapses.made", "", report.Edits.Forced.Made });
     }
   }
   AddShapeLimits(entries, report);

@@ -7,8 +7,8 @@
  * A new reason is an enumerator and a row here. Counts, report, summary, pages and the schema of
  * the report follow (Utilities/write_pages.py writes the schema).
  */
-#ifndef BoneDecimate_Core_Mesh_Rejection_h
-#define BoneDecimate_Core_Mesh_Rejection_h
+#ifndef BoneDecimate_Core_Figures_Rejection_h
+#define BoneDecimate_Core_Figures_Rejection_h
 
 #include <cstddef>
 

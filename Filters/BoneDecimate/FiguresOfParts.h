@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file LeftOutOfParts.h
- * @brief What a surface in parts left out, and the checksum of its result, from those of its parts.
+ * @file FiguresOfParts.h
+ * @brief The report on a surface that was simplified by several processes, from numbers of its parts.
  */
-#ifndef LeftOutOfParts_h
-#define LeftOutOfParts_h
+#ifndef FiguresOfParts_h
+#define FiguresOfParts_h
 
 #include "Run/Report/Report.h"
 
