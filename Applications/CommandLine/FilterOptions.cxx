@@ -44,7 +44,7 @@ Options OptionsForFiles(const Arguments& arguments)
   }
   if (arguments.Segments.IsRequested())
   {
-    options.PruneSize = options.PruneArea = options.PruneVolume = 0.0; // the voxels went before
+    options = options.WithoutPruning(); // the voxels went before
   }
   return options;
 }

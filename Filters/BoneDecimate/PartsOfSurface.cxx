@@ -105,7 +105,9 @@ void vtkBoneDecimate::SetPart(
     part.SmoothedPoints.emplace_back(
       smoothedPoints[i], smoothedPoints[i + 1], smoothedPoints[i + 2]);
   }
-  this->State->Options.AllowLargeError = true; // the size of the whole has been accepted
+  Options& options = this->State->Options;
+  options = options.WithoutPruning(); // FindPrunedCells() was before
+  options.AllowLargeError = true;     // the size of the whole has been accepted
   this->Modified();
 }
 
@@ -218,9 +220,7 @@ std::vector<double> vtkBoneDecimate::SmoothPoints(vtkPolyData* whole)
   {
     return {};
   }
-  Options options = this->State->Options;
-  options.PruneSize = options.PruneArea = options.PruneVolume = 0.0; // FindPrunedCells() was before
-  options.PruneTriangles = 0;
+  const Options options = this->State->Options.WithoutPruning(); // FindPrunedCells() was before
   const SmoothedInput smoothed = SmoothOnly(
     read.Converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
     read.Inputs);

@@ -131,10 +131,6 @@ void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, const Plan
   {
     run->SetLabelArrayName(bonedecimate::CellLabelsName);
   }
-  run->SetPruneSize(0.0); // was done for all parts together
-  run->SetPruneArea(0.0);
-  run->SetPruneVolume(0.0);
-  run->SetPruneTriangles(0);
   run->SetMakeMaps(false);
   run->SetOutputPointsPrecision(DEFAULT_PRECISION); // constrained points keep their bits
 }

@@ -24,6 +24,13 @@ std::vector<OptionInfo> MakeTable()
 #undef BONEDECIMATE_OPTION
   return rows;
 }
+
+bool NeedsComponents(const OptionInfo& info)
+{
+  return std::any_of(info.Needs.begin(), info.Needs.end(),
+    [](const NeedList& needs)
+    { return std::find(needs.begin(), needs.end(), Need::Components) != needs.end(); });
+}
 }
 
 const std::vector<OptionInfo>& OptionTable()
@@ -57,5 +64,27 @@ std::vector<std::string> ChangedOptions(const Options& options)
     }
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+bool Options::Prunes() const
+{
+  const std::vector<OptionInfo>& table = OptionTable();
+  return std::any_of(table.begin(), table.end(),
+    [this](const OptionInfo& info) { return NeedsComponents(info) && IsUsed(*this, info); });
+}
+
+//------------------------------------------------------------------------------
+Options Options::WithoutPruning() const
+{
+  Options rest = *this;
+  for (const OptionInfo& info : OptionTable())
+  {
+    if (NeedsComponents(info))
+    {
+      std::visit([&rest](auto field) { rest.*field = Options().*field; }, info.Field);
+    }
+  }
+  return rest;
 }
 }

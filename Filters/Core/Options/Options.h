@@ -112,12 +112,11 @@ struct Options
       this->TargetReduction == 0.0;
   }
 
-  /// Whether small components are to go.
-  bool Prunes() const
-  {
-    return this->PruneSize > 0.0 || this->PruneArea > 0.0 || this->PruneVolume > 0.0 ||
-      this->PruneTriangles > 0;
-  }
+  /// Whether small components are to go: an option is used that needs whole components.
+  bool Prunes() const;
+
+  /// The same options, without those by which components go.
+  Options WithoutPruning() const;
 
   /// Whether the copy of the input says which output point each of its points became.
   bool MapsInput() const

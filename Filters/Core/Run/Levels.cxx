@@ -251,9 +251,7 @@ Result RecordLevels(const Surface& input, const Options& options, const Monitor&
   constexpr double runAt = 0.5;
   constexpr double markedAt = 0.9;
   EditLog log;
-  Options whole = options;
-  whole.PruneSize = whole.PruneArea = whole.PruneVolume = 0.0;
-  whole.PruneTriangles = 0;
+  Options whole = options.WithoutPruning();
   whole.OutputPointsGrid = 0.0; // a log has no grid
   const Monitor all = [&monitor](double done) { return !monitor || monitor(done); };
   RunInputs recorded = inputs;
