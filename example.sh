@@ -44,7 +44,7 @@ find_cranium()
   done
 }
 
-"$root/Utilities/build_release.sh"
+"$root/Utilities/build_program.sh"
 mkdir -p "$output/ct"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -59,6 +59,7 @@ else
   "$root/build/release/bin/bonedecimate-phantom" "$ct"
 fi
 
+echo "From the CT to the surface: a quarter of a minute"
 "$program" "$ct" "$output/$name.vtp" --iso 226 --target-triangles "$triangles" \
   --also "$output/$name.stl" --heatmap "$output/heatmap.vtp" --report "$output/report.json" \
   --page "$output/report.html" --picture "$output/picture.png"

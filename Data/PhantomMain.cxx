@@ -5,31 +5,17 @@
  * @brief bonedecimate-phantom: writes a synthetic CT of a broken leg, a label map of its bones, or
  * a micro-CT of trabecular bone.
  */
-#include "FracturedLeg.h"
-#include "Trabeculae.h"
+#include "PhantomScan.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <string>
 #include <vector>
 
 namespace
 {
-struct Scan
-{
-  std::array<int, 3> Size;
-  phantom::Point Spacing; ///< mm
-  phantom::Point Origin;  ///< mm, LPS
-  int Decimals;           ///< Of the spacing in the header.
-};
-
-/// The whole of the bone, also on a grid as fine as that of a clinical CT, or the fracture alone on
-/// a coarser grid.
-const Scan NormalScan{ { { 192, 192, 152 } }, { 0.6, 0.6, 1.0 }, { -54.3, -49.3, -141.0 }, 1 };
-const Scan LargeScan{ { { 512, 512, 274 } }, { 0.225, 0.225, 0.555 }, { -54.3, -49.3, -141.0 }, 3 };
-const Scan SmallScan{ { { 84, 84, 48 } }, { 0.9, 0.9, 1.5 }, { -34.0, -35.0, -120.0 }, 1 };
+using namespace phantom;
 
 enum ExitCode
 {
@@ -37,116 +23,6 @@ enum ExitCode
   Usage = 1,
   CouldNotWrite = 3
 };
-
-/// HU of the scanner's noise, about the same spread everywhere.
-double ScannerNoise(int i, int j, int k)
-{
-  double sum = 0.0;
-  for (std::uint32_t seed = 101; seed < 105; ++seed)
-  {
-    sum += phantom::Hash(i, j, k, seed);
-  }
-  return 16.0 * sum;
-}
-
-enum class Content
-{
-  Intensities,
-  Labels,
-  Trabeculae
-};
-
-/// HU with noise.
-void AddIntensity(const phantom::Point& p, const std::array<int, 3>& at, std::vector<char>& bytes)
-{
-  const double value =
-    phantom::Clamped(phantom::LegValue(p) + ScannerNoise(at[0], at[1], at[2]), -1024.0, 3071.0);
-  // Shifted to be positive, so that cutting off the fraction rounds to the nearest.
-  const int rounded = static_cast<int>(value + 1024.5) - 1024;
-  bytes.push_back(static_cast<char>(rounded & 0xff));
-  bytes.push_back(static_cast<char>((rounded >> 8) & 0xff));
-}
-
-/// Appends a layer of the leg: intensities as little-endian 16-bit values, labels as bytes; the
-/// first axis runs fastest.
-void AppendLegLayer(const Scan& scan, Content content, int k, std::vector<char>& bytes)
-{
-  for (int j = 0; j < scan.Size[1]; ++j)
-  {
-    for (int i = 0; i < scan.Size[0]; ++i)
-    {
-      const phantom::Point p{ scan.Origin.X + i * scan.Spacing.X,
-        scan.Origin.Y + j * scan.Spacing.Y, scan.Origin.Z + k * scan.Spacing.Z };
-      if (content == Content::Labels)
-      {
-        bytes.push_back(static_cast<char>(phantom::LegLabel(p)));
-      }
-      else
-      {
-        AddIntensity(p, { { i, j, k } }, bytes);
-      }
-    }
-  }
-}
-
-/// Layer by layer, because a volume may be larger than memory.
-void WriteVoxels(const Scan& scan, Content content, std::ofstream& file)
-{
-  phantom::Trabeculae trabeculae(content == Content::Trabeculae ? scan.Size[0] : 0);
-  std::vector<char> bytes;
-  for (int k = 0; k < scan.Size[2] && file; ++k)
-  {
-    bytes.clear();
-    if (content == Content::Trabeculae)
-    {
-      trabeculae.AppendLayer(k, bytes);
-    }
-    else
-    {
-      AppendLegLayer(scan, content, k, bytes);
-    }
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  }
-}
-
-std::string Header(const Scan& scan, Content content)
-{
-  char text[512];
-  const int length = std::snprintf(text, sizeof(text),
-    "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
-    "CompressedData = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nOffset = %.1f %.1f %.1f\n"
-    "ElementSpacing = %.*f %.*f %.*f\nDimSize = %d %d %d\nElementType = %s\n"
-    "ElementDataFile = LOCAL\n",
-    scan.Origin.X, scan.Origin.Y, scan.Origin.Z, scan.Decimals, scan.Spacing.X, scan.Decimals,
-    scan.Spacing.Y, scan.Decimals, scan.Spacing.Z, scan.Size[0], scan.Size[1], scan.Size[2],
-    content == Content::Intensities ? "MET_SHORT" : "MET_UCHAR");
-  return std::string(text, static_cast<std::size_t>(length));
-}
-
-/// Whole or not at all.
-bool Write(const std::string& path, const Scan& scan, Content content)
-{
-  const std::string partial = path + ".partial";
-  std::ofstream file(partial, std::ios::binary);
-  const std::string header = Header(scan, content);
-  file.write(header.data(), static_cast<std::streamsize>(header.size()));
-  WriteVoxels(scan, content, file);
-  file.close();
-  const bool isWritten = file && std::rename(partial.c_str(), path.c_str()) == 0;
-  if (!isWritten)
-  {
-    std::remove(partial.c_str());
-  }
-  return isWritten;
-}
-
-const Scan* FindScan(const std::string& size)
-{
-  return size == "small" ? &SmallScan
-    : size == "normal"   ? &NormalScan
-    : size == "large"    ? &LargeScan
-                         : nullptr;
-}
 
 /// A cube; no size if the text is not a number of voxels along an axis.
 Scan TrabecularScan(const std::string& text)
@@ -193,7 +69,7 @@ int main(int argumentCount, char** arguments)
   const Content content = isTrabecular ? Content::Trabeculae
     : hasLabels                        ? Content::Labels
                                        : Content::Intensities;
-  if (!Write(words[0], *scan, content))
+  if (!WriteScan(words[0], *scan, content))
   {
     std::fprintf(stderr, "%s could not be written.\n", words[0].c_str());
     return CouldNotWrite;

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-Utilities/install_packages.sh build run
+Utilities/install_packages.sh core build run
 for tool in cmake ninja; do
   if ! command -v "$tool" > /dev/null; then
     echo "$tool is not there, so nothing can be built: install the packages in Utilities/packages.txt." >&2

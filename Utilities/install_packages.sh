@@ -1,8 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing of the Debian packages in packages.txt.
-# Usage: install_packages.sh [SECTION...]     (build, run, test, checks, site, pictures, benchmark, wasm, arm64, windows; without one: all but the last three)
+# Usage: install_packages.sh [--check] [SECTION...]     --check: installs nothing, and ends with 1 if something is missing
+#        (core, build, run, test, checks, site, pictures, benchmark, wasm, arm64, windows; without one: all but the last three)
 set -euo pipefail
 list="$(dirname "$0")/packages.txt"
+is_check=false
+if [ "${1:-}" = --check ]; then
+  is_check=true
+  shift
+fi
 
 wanted=$(awk -v sections=" $* " '
   /^\[/ { name = substr($1, 2, length($1) - 2) }
@@ -22,6 +28,7 @@ for package in $wanted; do
   [ "$state" = installed ] || missing+=("$package")
 done
 [ ${#missing[@]} -gt 0 ] || exit 0
+! $is_check || exit 1
 
 echo "Installing: ${missing[*]}"
 as_root=()

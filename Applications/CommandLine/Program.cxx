@@ -6,6 +6,7 @@
 #include "Certify.h"
 #include "CommandLine.h"
 #include "DecimateCommand.h"
+#include "Demo.h"
 #include "Diagnose.h"
 #include "ErrorCommands.h"
 #include "HelpFormatter.h"
@@ -66,6 +67,7 @@ ExitCode Run(int argc, char* argv[])
   AddLevelsCommand(program);
   AddDiagnoseCommand(program, code);
   AddCapCommand(program);
+  AddDemoCommand(program);
   RunCommandLine(program, words);
   return code;
 }

@@ -21,6 +21,14 @@ std::string Count(const ReportFields& report, const std::string& name)
   return GroupedText(report.Number(name).value_or(0.0));
 }
 
+void PrintCounts(const ReportFields& report)
+{
+  std::cout << "triangles       " << Count(report, "input.triangles") << " -> "
+            << Count(report, "output.triangles") << "\n"
+            << "components      " << Count(report, "output.components") << " of "
+            << Count(report, "input.components") << " kept\n";
+}
+
 void PrintDistances(
   const ReportFields& report, const std::string& direction, const std::string& words)
 {
@@ -261,16 +269,20 @@ void PrintCoordinates(const ReportSubject& subject)
 }
 }
 
+void PrintShortSummary(vtkPolyData* result)
+{
+  const ReportFields report(result);
+  PrintCounts(report);
+  PrintProof(report);
+}
+
 void PrintSummary(
   vtkPolyData* result, const ReportSubject& subject, const std::vector<std::string>& written)
 {
   const ReportFields report(result);
   const auto seconds = [&report](const char* name)
   { return GroupedText(report.Number(name).value_or(0.0), 2); };
-  std::cout << "triangles       " << Count(report, "input.triangles") << " -> "
-            << Count(report, "output.triangles") << "\n"
-            << "components      " << Count(report, "output.components") << " of "
-            << Count(report, "input.components") << " kept\n";
+  PrintCounts(report);
   PrintPruned(report);
   PrintTunnels(report);
   PrintDiagnostics(report);

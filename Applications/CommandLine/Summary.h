@@ -16,6 +16,9 @@
 
 namespace bonedecimate
 {
+/// Triangles, components, and what is proved.
+void PrintShortSummary(vtkPolyData* result);
+
 /**
  * @param result Output port 0 of vtkBoneDecimate.
  * @param written The files, in the order in which they are named.

