@@ -181,12 +181,45 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
                 "terminal: a line every 10 %."));
 }
 
+/// @throws Failure(ExitCode::Usage)
+ShardOfBatch ReadShard(const std::string& text)
+{
+  const std::size_t slash = text.find('/');
+  const auto isNumber = [](const std::string& digits)
+  {
+    return !digits.empty() && digits.size() < 7 &&
+      digits.find_first_not_of("0123456789") == std::string::npos;
+  };
+  ShardOfBatch shard;
+  if (slash != std::string::npos && isNumber(text.substr(0, slash)) &&
+    isNumber(text.substr(slash + 1)))
+  {
+    shard = { std::stoul(text.substr(0, slash)), std::stoul(text.substr(slash + 1)) };
+  }
+  if (shard.Number < 1 || shard.Number > shard.Of)
+  {
+    throw Failure(ExitCode::Usage,
+      "--shard takes two numbers I/N with I from 1 to N, as 3/8, not '" + text + "'");
+  }
+  return shard;
+}
+
 void AddBatchFlags(CLI::App& app, Arguments& arguments)
 {
   AddNumber(app,
     { "--jobs", "N", { 1, 1024, true, "processes" },
       "Many bones: how many at once, each a process of its own." },
     [&arguments](double jobs) { arguments.Jobs = static_cast<int>(jobs); });
+  AddNumber(app,
+    { "--time-limit", "S", { 1, 1e6, false, "seconds" },
+      "Many bones: an input that takes longer is stopped and has failed. Default: no limit." },
+    [&arguments](double seconds) { arguments.TimeLimit = seconds; });
+  app
+    .add_option_function<std::string>(
+      "--shard", [&arguments](const std::string& text) { arguments.Shard = ReadShard(text); },
+      WrappedHelp("Many bones: only every N-th input, from number I on, as one of N jobs of a "
+                  "scheduler: 3/8."))
+    ->type_name("I/N");
   app.add_flag("--force", arguments.Force,
     WrappedHelp("Many bones: do those again that are finished already."));
   app

@@ -25,6 +25,18 @@
 
 namespace bonedecimate
 {
+/// Every Of-th input of a batch, from number Number on.
+struct ShardOfBatch
+{
+  std::size_t Number = 1; ///< From 1 on.
+  std::size_t Of = 0;     ///< 0: all inputs.
+
+  bool Has(std::size_t index) const
+  {
+    return this->Of == 0 || index % this->Of == this->Number - 1;
+  }
+};
+
 struct Arguments
 {
   std::vector<std::string> Inputs; ///< While parsing the output, too.
@@ -58,6 +70,8 @@ struct Arguments
 
   /// @name Many bones only. @{
   int Jobs = 0; ///< 0: not given.
+  ShardOfBatch Shard;
+  double TimeLimit = 0.0; ///< Seconds for one input; 0: not limited.
   bool Force = false;
   std::string Only; ///< A pattern of the names of files in input folders; empty: all.
   /// @}

@@ -10,16 +10,20 @@
 #include "FilePath.h"
 #include "Interruption.h"
 #include "JsonReport.h"
+#include "NumberText.h"
 #include "SegmentChoice.h"
+#include "SharedFolder.h"
 #include "StagedFile.h"
 #include "StagedFolder.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <deque>
 #include <filesystem>
 #include <iostream>
 #include <list>
+#include <optional>
 #include <thread>
 #include <unistd.h>
 
@@ -62,6 +66,7 @@ public:
       this->Rows[i].Name = this->Bones[i].Name;
       this->Rows[i].Input = PathBelow(this->Bones[i]);
       this->NameWidth = std::max(this->NameWidth, std::min(this->Rows[i].Name.size(), LongestName));
+      this->ToDo.push_back(i);
     }
   }
 
@@ -69,13 +74,16 @@ public:
   {
     this->MakeFolder(this->Requested.Output);
     this->WriteCsv();
+    this->Shared.emplace(this->Requested.Output);
     this->Tell(BatchHeading(this->NameWidth));
-    while (this->Next < this->Bones.size() || !this->Running.empty())
+    while (!this->ToDo.empty() || !this->Running.empty())
     {
       this->StartSome();
       this->CollectEnded();
       this->ShowProgress();
+      this->Shared->Renew();
     }
+    this->Shared.reset();
     this->WriteCsv();
     this->Tell(BatchCounts(this->Rows) + "; table: " + this->CsvFile());
     StopIfInterrupted();
@@ -93,6 +101,8 @@ private:
 
     std::size_t Bone;
     ChildProcess Child;
+    std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
+    bool IsLate = false; // longer at work than the limit, and interrupted
   };
 
   /// Makes a folder, which is removed again if it ends up empty.
@@ -108,27 +118,26 @@ private:
   void StartSome()
   {
     const auto jobs = static_cast<std::size_t>(std::max(this->Requested.Jobs, 1));
-    for (; this->Next < this->Bones.size() && this->Running.size() < jobs && !IsInterrupted();
-         ++this->Next)
+    const auto now = std::chrono::steady_clock::now();
+    std::deque<std::size_t> elsewhere;
+    while (!this->ToDo.empty() && this->Running.size() < jobs && !IsInterrupted() &&
+      now >= this->NextLook)
     {
-      const BatchBone& bone = this->Bones[this->Next];
-      if (!bone.IsBone())
+      const std::size_t bone = this->ToDo.front();
+      this->ToDo.pop_front();
+      if (!this->Begin(bone))
       {
-        this->End(this->Next, "skipped", bone.CodeIfNot, bone.WhyNot);
-      }
-      else if (this->IsFinished(bone))
-      {
-        this->End(this->Next, "skipped", ExitCode::Done,
-          "finished by an earlier run; --force does it again");
-      }
-      else
-      {
-        this->Start(this->Next);
+        elsewhere.push_back(bone);
       }
     }
+    if (this->ToDo.empty() && !elsewhere.empty())
+    {
+      this->NextLook = now + std::chrono::seconds(1); // until another batch has ended one
+    }
+    this->ToDo.insert(this->ToDo.end(), elsewhere.begin(), elsewhere.end());
     if (IsInterrupted())
     {
-      this->Next = this->Bones.size();
+      this->ToDo.clear();
       for (Job& job : this->Running)
       {
         job.Child.Interrupt();
@@ -136,11 +145,55 @@ private:
     }
   }
 
+  /// Begins an input, or ends it if there is nothing to do. False: it is at work in another batch.
+  bool Begin(std::size_t index)
+  {
+    const BatchBone& bone = this->Bones[index];
+    if (!bone.IsBone())
+    {
+      this->End(index, "skipped", bone.CodeIfNot, bone.WhyNot);
+    }
+    else if (!this->Requested.Shard.Has(index))
+    {
+      this->End(index, "skipped", ExitCode::Done, "of another shard");
+    }
+    else if (this->IsFinished(bone))
+    {
+      this->EndFinished(index);
+    }
+    else if (const auto failure = this->Shared->FailureOf(bone.Name))
+    {
+      this->End(index, "failed", failure->Code, failure->Message);
+    }
+    else if (!this->Shared->Claim(bone.Name))
+    {
+      return false;
+    }
+    else if (this->IsFinished(bone)) // by another batch, a moment ago
+    {
+      this->Shared->Release(bone.Name);
+      this->EndFinished(index);
+    }
+    else
+    {
+      this->Start(index);
+    }
+    return true;
+  }
+
+  void EndFinished(std::size_t index)
+  {
+    const bool isNew = this->Shared->IsNew(this->Bones[index].Report);
+    this->End(index, isNew ? "done" : "skipped", ExitCode::Done,
+      isNew ? "" : "finished by an earlier run; --force does it again");
+  }
+
   bool IsFinished(const BatchBone& bone) const
   {
     ReportSubject subject = SubjectOf(this->Requested, bone.Input, bone.Output);
     subject.Given = OptionsFor(bone, this->Requested);
-    return !this->Requested.Force && ReportMatches(bone.Report, bone.Output, subject);
+    return (!this->Requested.Force || this->Shared->IsNew(bone.Report)) &&
+      ReportMatches(bone.Report, bone.Output, subject);
   }
 
   void Start(std::size_t bone)
@@ -156,7 +209,7 @@ private:
     }
     catch (const Failure& failure)
     {
-      this->End(bone, "failed", failure.Code, failure.what());
+      this->EndOwn(bone, "failed", failure.Code, failure.what());
     }
   }
 
@@ -165,6 +218,7 @@ private:
     const std::size_t before = this->Running.size();
     for (auto job = this->Running.begin(); job != this->Running.end();)
     {
+      this->InterruptIfLate(*job);
       if (job->Child.HasEnded())
       {
         this->Note(*job);
@@ -185,6 +239,17 @@ private:
     }
   }
 
+  void InterruptIfLate(Job& job) const
+  {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - job.Begin;
+    if (this->Requested.TimeLimit > 0.0 && seconds.count() > this->Requested.TimeLimit &&
+      !job.IsLate)
+    {
+      job.IsLate = true;
+      job.Child.Interrupt();
+    }
+  }
+
   void Note(const Job& job)
   {
     if (job.Child.HasDied())
@@ -201,16 +266,34 @@ private:
         begin != std::string::npos) // a structure out of view, a scan of another kind
       {
         const std::string message = job.Child.GetMessage().substr(begin);
-        return this->End(job.Bone, "skipped", ExitCode::Done, message);
+        return this->EndOwn(job.Bone, "skipped", ExitCode::Done, message);
       }
     }
+    if (job.IsLate && code == ExitCode::Interrupted)
+    {
+      return this->EndOwn(job.Bone, "failed", code,
+        "took longer than the " + GroupedText(this->Requested.TimeLimit) +
+          " s of --time-limit, and was stopped");
+    }
     const bool stopped = code == ExitCode::Interrupted;
-    this->End(job.Bone, code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed"),
+    this->EndOwn(job.Bone, code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed"),
       code, job.Child.GetMessage());
   }
 
+  /// What became of an input that was at work in this batch.
+  void EndOwn(
+    std::size_t bone, const std::string& status, ExitCode code, const std::string& message)
+  {
+    if (status == "failed")
+    {
+      this->Shared->NoteFailure(this->Bones[bone].Name, { code, message });
+    }
+    this->Shared->Release(this->Bones[bone].Name);
+    this->End(bone, status, code, message);
+  }
+
   /// What became of a bone, in its row and in a line.
-  void End(std::size_t bone, const char* status, ExitCode code, const std::string& message)
+  void End(std::size_t bone, const std::string& status, ExitCode code, const std::string& message)
   {
     BatchRow& row = this->Rows[bone];
     row.Status = status;
@@ -232,7 +315,7 @@ private:
 
   void ShowProgress()
   {
-    const std::size_t ended = this->Next - this->Running.size();
+    const std::size_t ended = this->Bones.size() - this->ToDo.size() - this->Running.size();
     if (this->Terminal && ended != this->Shown)
     {
       this->Shown = ended;
@@ -266,8 +349,10 @@ private:
   std::vector<BatchRow> Rows;
   std::size_t NameWidth = 4; // of "name"
   std::list<StagedFolder> Folders;
+  std::optional<SharedFolder> Shared; // while inputs are at work
+  std::deque<std::size_t> ToDo;
   std::list<Job> Running;
-  std::size_t Next = 0;
+  std::chrono::steady_clock::time_point NextLook; // at inputs that are at work in other batches
   std::size_t Shown = 0;
   bool Terminal;
 };

@@ -16,6 +16,7 @@
 #include "PlainStream.h"
 #include "PlainText.h"
 #include "SlicerModule.h"
+#include "SummaryCommand.h"
 #include "VtkMessages.h"
 
 #include <CLI/CLI.hpp>
@@ -67,6 +68,7 @@ ExitCode Run(int argc, char* argv[])
   AddLevelsCommand(program);
   AddDiagnoseCommand(program, code);
   AddCapCommand(program);
+  AddSummaryCommand(program);
   AddDemoCommand(program);
   RunCommandLine(program, words);
   return code;

@@ -160,7 +160,7 @@ class Batch(ApplicationTest):
                           ("bones/a.ply",), ()):
                 self.fail_with(USAGE, word, *words, says="'%s' is neither a command nor a file; did you mean %s?" % (word, meant))
             self.fail_with(USAGE, "--quiet", word, "bones/a.ply", "new", says="did you mean " + meant)
-        self.fail_with(USAGE, "shrink", "bones/a.ply", "new", says="the commands are cap, certify, curve, decimate, demo, diagnose, levels, smooth, thesis")
+        self.fail_with(USAGE, "shrink", "bones/a.ply", "new", says="the commands are cap, certify, curve, decimate, demo, diagnose, levels, smooth, summary, thesis")
 
     def test_iso_without_a_volume_is_wrong_usage(self):
         self.fail_with(USAGE, "bones", "out", "--iso", 226, says="none of the inputs is one")

@@ -7,7 +7,7 @@ import re
 
 from application import DONE, FORMATS, PROVING_MODES, REJECTED, USAGE, ApplicationTest, main, torus, write
 
-COMMANDS = ("thesis", "smooth", "certify", "tolerance", "curve", "levels", "diagnose", "cap", "demo")
+COMMANDS = ("thesis", "smooth", "certify", "tolerance", "curve", "levels", "diagnose", "cap", "summary", "demo")
 
 
 class Commands(ApplicationTest):

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SharedFolder.h"
+
+#include "FilePath.h"
+#include "FolderEntries.h"
+
+#include <algorithm>
+#include <fstream>
+#include <random>
+#include <system_error>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr std::chrono::seconds RenewedEvery(10);
+constexpr std::chrono::seconds AliveFor(60);
+
+/// A name that may have folders as that of a file in one folder.
+std::string FlatName(const std::string& name)
+{
+  std::string flat;
+  for (const char c : name)
+  {
+    flat += c == '%' ? "%25" : c == '/' ? "%2F" : c == '\\' ? "%5C" : std::string(1, c);
+  }
+  return flat;
+}
+
+/// A change of what is in a folder gives it the time of its file system.
+void Touch(const fs::path& folder)
+{
+  std::error_code ignored;
+  fs::create_directory(folder / "touch", ignored);
+  fs::remove(folder / "touch", ignored);
+}
+
+std::string RandomNumber()
+{
+  std::random_device device;
+  return std::to_string(device()) + std::to_string(device());
+}
+}
+
+SharedFolder::SharedFolder(const std::string& output)
+  : Hidden(FilePath(output) / ".bonedecimate")
+  , Own(Hidden / (RandomNumber() + ".batch"))
+  , Renewed(std::chrono::steady_clock::now())
+{
+  std::error_code error;
+  fs::create_directories(this->Own, error);
+  Touch(this->Own);
+  this->Begin = error ? Time() : fs::last_write_time(this->Own, error);
+  if (error)
+  {
+    throw Failure(
+      ExitCode::CouldNotWrite, "could not write '" + this->Own.string() + "': " + error.message());
+  }
+}
+
+//------------------------------------------------------------------------------
+SharedFolder::~SharedFolder()
+{
+  std::error_code ignored;
+  for (const Path& claim : this->Claims)
+  {
+    fs::remove_all(claim, ignored);
+  }
+  Touch(this->Own);
+  if (this->IsLast())
+  {
+    fs::remove_all(this->Hidden, ignored);
+  }
+  fs::remove_all(this->Own, ignored);
+}
+
+//------------------------------------------------------------------------------
+bool SharedFolder::Claim(const std::string& name)
+{
+  const Path claim = this->ClaimOf(name);
+  std::error_code error;
+  const bool isOwn = fs::create_directory(claim, error) ||
+    (this->RemoveDead(claim) && fs::create_directory(claim, error));
+  if (error)
+  {
+    throw Failure(
+      ExitCode::CouldNotWrite, "could not write '" + claim.string() + "': " + error.message());
+  }
+  if (isOwn)
+  {
+    this->Claims.insert(claim);
+    fs::remove(this->Hidden / (FlatName(name) + ".failed"), error);
+  }
+  return isOwn;
+}
+
+//------------------------------------------------------------------------------
+void SharedFolder::Release(const std::string& name)
+{
+  const Path claim = this->ClaimOf(name);
+  std::error_code ignored;
+  fs::remove_all(claim, ignored);
+  this->Claims.erase(claim);
+}
+
+//------------------------------------------------------------------------------
+void SharedFolder::Renew()
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (now - this->Renewed > RenewedEvery)
+  {
+    this->Renewed = now;
+    Touch(this->Own);
+    for (const Path& claim : this->Claims)
+    {
+      Touch(claim);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SharedFolder::NoteFailure(const std::string& name, const InputFailure& failure) const
+{
+  std::ofstream file(this->Hidden / (FlatName(name) + ".failed"), std::ios::binary);
+  file << static_cast<int>(failure.Code) << " " << failure.Message;
+}
+
+//------------------------------------------------------------------------------
+std::optional<SharedFolder::InputFailure> SharedFolder::FailureOf(const std::string& name) const
+{
+  const Path path = this->Hidden / (FlatName(name) + ".failed");
+  std::ifstream file(path, std::ios::binary);
+  int code = 0;
+  InputFailure failure{ ExitCode::Done, "" };
+  if (!(file >> code) || !this->IsNew(path.string()))
+  {
+    return std::nullopt;
+  }
+  file.get();
+  std::getline(file, failure.Message, '\0');
+  failure.Code = static_cast<ExitCode>(code);
+  return failure;
+}
+
+//------------------------------------------------------------------------------
+bool SharedFolder::IsNew(const std::string& file) const
+{
+  std::error_code error;
+  const Time time = fs::last_write_time(FilePath(file), error);
+  return !error && time >= this->Begin;
+}
+
+//------------------------------------------------------------------------------
+SharedFolder::Path SharedFolder::ClaimOf(const std::string& name) const
+{
+  return this->Hidden / (FlatName(name) + ".claim");
+}
+
+//------------------------------------------------------------------------------
+/// By the time of this batch's own folder, which was renewed a moment ago.
+bool SharedFolder::IsAlive(const Path& folder) const
+{
+  std::error_code error;
+  const Time time = fs::last_write_time(folder, error);
+  return !error && time + AliveFor > fs::last_write_time(this->Own, error);
+}
+
+//------------------------------------------------------------------------------
+/// Whether the claim was dead and this batch removed it. It is renamed first, which works for one
+/// batch alone.
+bool SharedFolder::RemoveDead(const Path& folder) const
+{
+  Touch(this->Own);
+  if (this->IsAlive(folder))
+  {
+    return false;
+  }
+  const Path dead = folder.string() + "." + RandomNumber();
+  std::error_code error;
+  fs::rename(folder, dead, error);
+  if (error)
+  {
+    return false;
+  }
+  fs::remove_all(dead, error);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Whether no other batch is at work.
+bool SharedFolder::IsLast() const
+{
+  std::error_code error;
+  const std::vector<Path> entries = FolderEntries(this->Hidden, error);
+  return std::none_of(entries.begin(), entries.end(),
+    [this](const Path& entry)
+    { return entry.extension() == ".batch" && entry != this->Own && this->IsAlive(entry); });
+}
+}

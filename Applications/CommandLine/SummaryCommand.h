@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SummaryCommand.h
+ * @brief bonedecimate summary: the table of a folder of results from the reports in it.
+ */
+#ifndef BoneDecimate_Applications_SummaryCommand_h
+#define BoneDecimate_Applications_SummaryCommand_h
+
+#include <CLI/App.hpp>
+
+namespace bonedecimate
+{
+void AddSummaryCommand(CLI::App& program);
+}
+
+#endif

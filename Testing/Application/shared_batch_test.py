@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Several batches with one output folder: each input is done once, and the summary is that of all."""
+
+import csv
+import os
+import signal
+import subprocess
+import time
+
+from application import INTERRUPTED, PROGRAM, REJECTED, UNMEASURED, USAGE, ApplicationTest, main, sphere, torus, write
+
+BONES = 24
+REDUCED = ("--target-reduction", "0.5", *UNMEASURED)
+
+
+class SharedBatch(ApplicationTest):
+    def setUp(self):
+        super().setUp()
+        for number in range(BONES):
+            folder = self.path(f"studies/{number % 5}")
+            folder.mkdir(parents=True, exist_ok=True)
+            write(torus(), folder / f"{number:02}.stl")
+
+    def start(self, *words):
+        return subprocess.Popen([PROGRAM, "studies", "out", *REDUCED, *words], cwd=self.path("."),
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def end(self, batches):
+        """What each printed, after its exit code was checked."""
+        said = [batch.communicate(timeout=120) for batch in batches]
+        self.assertEqual([(batch.returncode, errors) for batch, (_, errors) in zip(batches, said)], [(0, "")] * len(batches))
+        return [text for text, _ in said]
+
+    def rows(self):
+        with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def claim(self, name, age):
+        """As of a batch that was last seen that many seconds ago."""
+        folder = self.path("out/.bonedecimate") / (name.replace("/", "%2F") + ".claim")
+        folder.mkdir(parents=True)
+        seen = time.time() - age
+        os.utime(folder, (seen, seen))
+
+    def test_each_input_is_done_once_and_there_is_one_summary(self):
+        said = self.end([self.start() for _ in range(4)])
+        started = [line.split()[0] for text in said for line in text.splitlines() if " done " in line and "1,920" in line]
+        written = [self.path(f"out/{row['name']}.json").stat().st_ino for row in self.rows()]
+        self.assertEqual(len(set(written)), BONES)
+        self.assertEqual(set(started), {row["name"] for row in self.rows()})
+        self.assertEqual({row["triangles_out"] for row in self.rows()}, {"960"})
+        self.assertEqual(sorted(entry.name for entry in self.path("out").iterdir()), ["0", "1", "2", "3", "4", "summary.csv"])
+
+    def test_inputs_of_another_batch_are_left_to_it(self):
+        """Runs of inputs are counted by the times at which their reports were written: nothing is written twice."""
+        batches = [self.start("--jobs", "2") for _ in range(3)]
+        seen = {}
+        while any(batch.poll() is None for batch in batches):
+            for report in self.path("out").glob("*/[0-9][0-9].json"):
+                try:
+                    seen.setdefault(report, set()).add(report.stat().st_ino)
+                except FileNotFoundError:
+                    continue
+        self.end(batches)
+        self.assertEqual(len(seen), BONES)
+        self.assertEqual({len(files) for files in seen.values()}, {1})
+
+    def test_what_a_killed_batch_had_is_done_by_another(self):
+        self.claim("0/00", 3600)
+        self.end([self.start()])
+        self.assertEqual({row["status"] for row in self.rows()}, {"done"})
+
+    def test_a_batch_waits_for_what_is_at_work_in_another(self):
+        self.claim("0/00", 0)
+        batch = self.start()
+        deadline = time.time() + 60
+        while len(list(self.path("out").glob("*/*.json"))) < BONES - 1 and time.time() < deadline:
+            time.sleep(0.1)
+        time.sleep(1.5)
+        self.assertIsNone(batch.poll())
+        self.assertFalse(self.path("out/0/00.json").exists())
+        self.path("out/.bonedecimate/0%2F00.claim").rmdir()
+        self.end([batch])
+        self.assertTrue(self.path("out/0/00.json").exists())
+
+    def test_an_interrupted_batch_leaves_its_inputs_to_the_others(self):
+        first, second = self.start(), self.start()
+        time.sleep(0.5)
+        first.send_signal(signal.SIGTERM)
+        first.communicate(timeout=60)
+        self.assertIn(first.returncode, (0, INTERRUPTED))
+        self.end([second])
+        self.assertEqual({row["triangles_out"] for row in self.rows()}, {"960"})
+
+    def test_what_failed_is_not_tried_by_each(self):
+        self.path("studies/0/00.stl").write_bytes(b"no surface")
+        batches = [self.start(), self.start()]
+        said = [batch.communicate(timeout=120) for batch in batches]
+        self.assertEqual([batch.returncode for batch in batches], [REJECTED] * 2)
+        for text, _ in said:
+            (line,) = [line for line in text.splitlines() if line.startswith("0/00 ")]
+            self.assertIn("failed", line)
+            self.assertIn("was rejected", line)
+        self.assertFalse(self.path("out/.bonedecimate").exists())
+
+    def test_shards_divide_the_inputs_and_summary_has_all_of_them(self):
+        self.end([self.start("--shard", f"{number}/3") for number in (1, 2)])
+        self.assertEqual(len(list(self.path("out").glob("*/*.json"))), 2 * BONES // 3)
+        self.end([self.start("--shard", "3/3")])
+        self.path("out/summary.csv").unlink()
+        said = self.succeed("summary", "out").stdout
+        self.assertEqual(len(self.rows()), BONES)
+        self.assertEqual({(row["status"], row["triangles_out"]) for row in self.rows()}, {("done", "960")})
+        self.assertIn(f"{BONES} files: {BONES} done", said)
+        for wrong in ("0/3", "4/3", "3", "1/", "a/b", "-1/2"):
+            self.fail_with(USAGE, "studies", "out", *REDUCED, f"--shard={wrong}", says="--shard takes two numbers I/N")
+        self.path("empty").mkdir()
+        self.fail_with(REJECTED, "summary", "empty", says="no report is in 'empty'")
+
+    def test_an_input_that_takes_too_long_is_stopped(self):
+        self.path("slow").mkdir()
+        write(torus(500, 400), self.path("slow/a.stl"))
+        write(sphere(), self.path("slow/b.stl"))
+        self.assertEqual(self.run_program("slow", "out", "--mode", "Accurate", "--max-error", 0.01, "--time-limit", 1).returncode, INTERRUPTED)
+        rows = {row["name"]: row for row in self.rows()}
+        self.assertEqual((rows["a"]["status"], rows["b"]["status"]), ("failed", "done"))
+        self.assertIn("took longer than the 1 s of --time-limit", rows["a"]["message"])
+
+
+if __name__ == "__main__":
+    main()
