@@ -119,7 +119,7 @@ private:
   {
     const auto jobs = static_cast<std::size_t>(std::max(this->Requested.Jobs, 1));
     const auto now = std::chrono::steady_clock::now();
-    std::deque<std::size_t> elsewhere;
+    std::deque<std::size_t> deferred;
     while (!this->ToDo.empty() && this->Running.size() < jobs && !IsInterrupted() &&
       now >= this->NextLook)
     {
@@ -127,14 +127,14 @@ private:
       this->ToDo.pop_front();
       if (!this->Begin(bone))
       {
-        elsewhere.push_back(bone);
+        deferred.push_back(bone);
       }
     }
-    if (this->ToDo.empty() && !elsewhere.empty())
+    if (this->ToDo.empty() && !deferred.empty())
     {
       this->NextLook = now + std::chrono::seconds(1); // until another batch has ended one
     }
-    this->ToDo.insert(this->ToDo.end(), elsewhere.begin(), elsewhere.end());
+    this->ToDo.insert(this->ToDo.end(), deferred.begin(), deferred.end());
     if (IsInterrupted())
     {
       this->ToDo.clear();
