@@ -61,8 +61,9 @@ void AddSegments(CLI::App& app, SegmentArguments& segments,
       },
       WrappedHelp(
         "The input is a label map: take the surfaces of its segments, with the walls "
-        "between them in common. all, or labels and names with commas in between; with "
-        "names of TotalSegmentator also bones. The output is a surface, a .vtm file, or a folder "
+        "between them in common. all, or with commas in between labels, names, and bones, "
+        "vertebrae, pelvis or skull, which choose by names. The output is a surface, a .vtm file, "
+        "or a folder "
         "with a file for each segment, report, page and picture."))
     ->type_name("all|LABELS|NAMES")
     ->check(CLI::Validator([](std::string& text)

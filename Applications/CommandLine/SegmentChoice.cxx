@@ -7,8 +7,8 @@
 #include "Formats/FileChecks.h"
 #include "Labels/LabelNames.h"
 #include "Labels/LabelTableSearch.h"
+#include "Labels/SegmentPresets.h"
 #include "PlainText.h"
-#include "TotalSegmentator.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -117,36 +117,20 @@ void WarnOfEmpty(
   }
 }
 
-/// Whether the segment has the name of a bone of TotalSegmentator.
-bool IsBone(const NamedLabel& segment)
+/// Whether a word of the choice chooses the segment.
+bool IsChosenBy(
+  const NamedLabel& segment, const std::string& word, bool meansPreset, const LabelRegions& regions)
 {
-  const auto& bones = TotalSegmentatorBones();
-  return std::any_of(bones.begin(), bones.end(),
-    [name = LowerCase(segment.Name)](const auto& bone) { return LowerCase(bone.second) == name; });
+  return IsMeant(segment, word) || IsInRegion(segment, word, regions) ||
+    (meansPreset && IsOfPreset(word, segment.Name));
 }
 
-/// Whether the word means all bones, which a segment of this name comes before.
-bool MeansBones(const std::string& choice, const std::vector<NamedLabel>& segments,
-  const SegmentArguments& arguments)
+/// Whether the word means a preset, which a segment of this name comes before.
+bool MeansPreset(const std::string& word, const std::vector<NamedLabel>& segments)
 {
-  const bool isSegment = std::any_of(segments.begin(), segments.end(),
-    [&choice](const NamedLabel& segment) { return IsMeant(segment, choice); });
-  return LowerCase(choice) == "bones" && !isSegment &&
-    (arguments.HasTotalSegmentatorNames() || std::any_of(segments.begin(), segments.end(), IsBone));
-}
-
-std::vector<NamedLabel> ChooseBones(
-  const std::vector<NamedLabel>& segments, const std::string& path)
-{
-  std::vector<NamedLabel> chosen;
-  std::copy_if(segments.begin(), segments.end(), std::back_inserter(chosen), IsBone);
-  if (chosen.empty())
-  {
-    Reject(path,
-      "none of its labels is that of a bone of TotalSegmentator; its segments are " +
-        ListOf(segments));
-  }
-  return chosen;
+  return IsPreset(word) &&
+    std::none_of(segments.begin(), segments.end(),
+      [&word](const NamedLabel& segment) { return IsMeant(segment, word); });
 }
 }
 
@@ -213,25 +197,22 @@ std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
   }
   std::vector<NamedLabel> all = segments.Present;
   all.insert(all.end(), segments.Empty.begin(), segments.Empty.end());
-  if (MeansBones(word, all, arguments))
-  {
-    return ChooseBones(segments.Present, path);
-  }
   std::vector<bool> isChosen(all.size(), false);
   for (const std::string& text : WordsOf(all, arguments.Choice))
   {
     bool isThere = false;
+    const bool meansPreset = MeansPreset(Trimmed(text), all);
     for (std::size_t i = 0; i < all.size(); ++i)
     {
-      const bool isMeant =
-        IsMeant(all[i], Trimmed(text)) || IsInRegion(all[i], Trimmed(text), segments.Regions);
+      const bool isMeant = IsChosenBy(all[i], Trimmed(text), meansPreset, segments.Regions);
       isChosen[i] = isChosen[i] || isMeant;
       isThere = isThere || isMeant;
     }
     if (!isThere)
     {
       Reject(path,
-        "it has no segment '" + Trimmed(text) + "'; its segments are " +
+        (meansPreset ? "the name of none of its segments is one that '" : "it has no segment '") +
+          Trimmed(text) + (meansPreset ? "' means" : "'") + "; its segments are " +
           ListOf(segments.AreDescribed ? all : segments.Present));
     }
   }
@@ -294,15 +275,10 @@ SegmentSelection SelectionOf(const SegmentArguments& arguments, const std::strin
   return [arguments, word, table](std::int64_t label, const std::string& nameInFile)
   {
     const NamedLabel segment{ label, NameOfSegment(label, PlainText(nameInFile), table), {} };
-    if (MeansBones(word, { segment }, arguments))
-    {
-      return IsBone(segment);
-    }
     const std::vector<std::string> words = WordsOf({ segment }, arguments.Choice);
     return std::any_of(words.begin(), words.end(),
-      [&segment, &table](const std::string& text) {
-        return IsMeant(segment, Trimmed(text)) || IsInRegion(segment, Trimmed(text), table.Regions);
-      });
+      [&segment, &table](const std::string& text)
+      { return IsChosenBy(segment, Trimmed(text), true, table.Regions); });
   };
 }
 }

@@ -55,7 +55,7 @@ FoundSegments FindSegments(
 
 /**
  *     all       every one
- *     bones     those with the names that TotalSegmentator gives to bones
+ *     bones     those with the name of a bone; also vertebrae, pelvis, skull (SegmentPresets.h)
  *     else      labels and names with commas in between; small and capital letters are the same
  *
  * @param warnings Get those of the segments, and a sentence with the chosen ones that have no

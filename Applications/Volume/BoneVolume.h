@@ -21,8 +21,8 @@
 namespace bonedecimate
 {
 /// True for .vti, .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz files, for TIFF files of several pages
-/// and for folders that hold DICOM files or TIFF slices; and for one DICOM file (.dcm), which is
-/// rejected.
+/// and for folders that hold DICOM files, TIFF slices or masks (MaskFolder.h); and for one DICOM
+/// file (.dcm), which is rejected.
 bool IsVolume(const std::string& path);
 
 /// Whether the extension is that of a volume; the file need not exist.

@@ -8,6 +8,7 @@
 #include "FilePath.h"
 #include "ImageFiles.h"
 #include "LabelFields.h"
+#include "MaskFolder.h"
 #include "TiffFolder.h"
 #include "VtiVolume.h"
 
@@ -34,6 +35,7 @@ enum class VolumeKind
   Nifti,
   Tiff,
   TiffFolder,
+  MaskFolder,
   DicomFile,
   DicomFolder
 };
@@ -94,6 +96,7 @@ VolumeKind KindOf(const std::string& path)
   {
     return HoldsDicom(path) || FoldersOfSeries().count(path) > 0 ? VolumeKind::DicomFolder
       : HoldsTiffSlices(path)                                    ? VolumeKind::TiffFolder
+      : HoldsMasks(path)                                         ? VolumeKind::MaskFolder
                                                                  : VolumeKind::None;
   }
   if (IsDirectoryFile(path))
@@ -178,7 +181,7 @@ std::string ReadVolumesText()
 {
   return ".nii, .nii.gz, .nrrd, .nhdr, .seg.nrrd, .mha, .mhd, .vti, a .tif of several pages, a "
          ".dcm of segments or of several frames, a DICOMDIR, and a folder of DICOM files or TIFF "
-         "slices";
+         "slices or with a mask for each structure";
 }
 
 bool TakeSeriesBelow(const std::string& folder)
@@ -250,6 +253,8 @@ std::unique_ptr<IsolatedReader> OpenVolume(
           return OpenTiff(path, *spacing);
         case VolumeKind::TiffFolder:
           return OpenTiffSlices(path, *spacing);
+        case VolumeKind::MaskFolder:
+          return LayersOf(ReadMasks(path, selection));
         case VolumeKind::DicomFile:
           return OpenDicomFile(path, selection);
         default:
