@@ -85,7 +85,7 @@ public:
     }
     this->Shared.reset();
     this->WriteCsv();
-    this->Tell(BatchCounts(this->Rows) + "; table: " + this->CsvFile());
+    this->Tell(BatchCounts(this->Rows) + "; table: " + this->Table);
     StopIfInterrupted();
     return this->WorstCode();
   }
@@ -306,12 +306,7 @@ private:
     this->Tell(BatchLine(row, this->NameWidth));
   }
 
-  std::string CsvFile() const
-  {
-    return (FilePath(this->Requested.Output) / "summary.csv").string();
-  }
-
-  void WriteCsv() const { WriteTextFile(this->CsvFile(), ComposeCsv(this->Rows)); }
+  void WriteCsv() { this->Table = WriteTables(this->Requested.Output, this->Rows); }
 
   void ShowProgress()
   {
@@ -347,6 +342,7 @@ private:
   const std::string& Self;
   std::vector<BatchBone> Bones;
   std::vector<BatchRow> Rows;
+  std::string Table;         // path of summary.csv
   std::size_t NameWidth = 4; // of "name"
   std::list<StagedFolder> Folders;
   std::optional<SharedFolder> Shared; // while inputs are at work

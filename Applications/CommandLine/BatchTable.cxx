@@ -3,8 +3,11 @@
 #include "BatchTable.h"
 
 #include "Figures/BoundText.h"
+#include "FilePath.h"
 #include "NumberText.h"
 #include "PlainText.h"
+#include "SegmentRows.h"
+#include "StagedFile.h"
 
 #include <algorithm>
 #include <array>
@@ -101,6 +104,13 @@ Json FigureOf(const BatchRow& row, const char* heading)
   return row.Figures.is_object() && row.Figures.contains(heading) ? row.Figures[heading] : Json();
 }
 
+std::string FieldOf(const Json& value)
+{
+  return value.is_number() ? value.dump()
+    : value.is_string()    ? QuotedField(value.get<std::string>())
+                           : "";
+}
+
 std::string WithoutBlanksAtEnd(const std::string& line)
 {
   return line.substr(0, line.find_last_not_of(' ') + 1);
@@ -115,6 +125,7 @@ void TakeReport(BatchRow& row, const std::string& report)
   {
     row.Figures[column.Heading] = ValueAt(json, column.Pointer);
   }
+  row.Segments = SegmentRows(json);
   for (const Json& warning : ValueAt(json, "/warnings"))
   {
     row.Message += (row.Message.empty() ? "warning: " : "; warning: ") +
@@ -136,15 +147,46 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows)
       (row.Status == "not run" ? "" : std::to_string(static_cast<int>(row.Code)));
     for (const ReportColumn& column : ReportColumns)
     {
-      const Json value = FigureOf(row, column.Heading);
-      text += "," +
-        (value.is_number()      ? value.dump()
-            : value.is_string() ? QuotedField(value.get<std::string>())
-                                : "");
+      text += "," + FieldOf(FigureOf(row, column.Heading));
     }
     text += "," + QuotedField(row.Message) + "\n";
   }
   return text;
+}
+
+std::string ComposeSegmentsCsv(const std::vector<BatchRow>& rows)
+{
+  std::string text;
+  for (const BatchRow& row : rows)
+  {
+    for (const Json& segment : row.Segments)
+    {
+      text += QuotedField(row.Name);
+      for (const char* column : SegmentColumns)
+      {
+        text += "," + FieldOf(ValueAt(segment, (std::string("/") + column).c_str()));
+      }
+      text += "\n";
+    }
+  }
+  std::string heading = "name";
+  for (const char* column : SegmentColumns)
+  {
+    heading += std::string(",") + column;
+  }
+  return text.empty() ? text : heading + "\n" + text;
+}
+
+std::string WriteTables(const std::string& folder, const std::vector<BatchRow>& rows)
+{
+  const std::string summary = (FilePath(folder) / "summary.csv").string();
+  WriteTextFile(summary, ComposeCsv(rows));
+  const std::string segments = ComposeSegmentsCsv(rows);
+  if (!segments.empty())
+  {
+    WriteTextFile((FilePath(folder) / "segments.csv").string(), segments);
+  }
+  return summary;
 }
 
 std::string BatchHeading(std::size_t nameWidth)

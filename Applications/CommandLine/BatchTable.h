@@ -25,12 +25,21 @@ struct BatchRow
   ExitCode Code = ExitCode::Interrupted;
   std::string Message;    ///< Why it failed or was skipped, and what its report warns of.
   nlohmann::json Figures; ///< Figures of its report, by column of summary.csv; null: none.
+  /// Of each segment of a label map: figures by column of segments.csv.
+  std::vector<nlohmann::json> Segments;
 };
 
 /// Takes figures and warnings from the file of a report. A report that cannot be read gives none.
 void TakeReport(BatchRow& row, const std::string& report);
 
 std::string ComposeCsv(const std::vector<BatchRow>& rows);
+
+/// A row for each segment of each input; empty if no input has segments.
+std::string ComposeSegmentsCsv(const std::vector<BatchRow>& rows);
+
+/// Writes summary.csv, and segments.csv if there are segments, into a folder.
+/// @return The path of summary.csv.  @throws Failure(ExitCode::CouldNotWrite)
+std::string WriteTables(const std::string& folder, const std::vector<BatchRow>& rows);
 
 /// The first line of the table.
 std::string BatchHeading(std::size_t nameWidth);

@@ -9,7 +9,6 @@
 #include "FilePath.h"
 #include "FolderEntries.h"
 #include "HelpFormatter.h"
-#include "StagedFile.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -93,8 +92,7 @@ void Run(const SummaryArguments& arguments)
   {
     throw Failure(ExitCode::InputRejected, "no report is in '" + arguments.Folder + "'");
   }
-  const std::string table = (root / "summary.csv").string();
-  WriteTextFile(table, ComposeCsv(rows));
+  const std::string table = WriteTables(arguments.Folder, rows);
   if (!arguments.Quiet)
   {
     std::size_t width = 4; // of "name"

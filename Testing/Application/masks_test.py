@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A folder with a mask for each structure is one label map: the same bytes as the file with all labels."""
 
+import csv
+
 import nibabel
 import numpy as np
 
@@ -105,7 +107,21 @@ class Masks(ApplicationTest):
         for patient in ("a", "b"):
             for name in ("skull", "hip_left"):
                 self.write(f"patients/{patient}/{name}.nii.gz", self.masks[name].astype(np.uint8))
-        self.succeed("patients", "out/", "--segments", "bones", "--target-reduction", "0.5", "--format", "stl")
+        self.succeed("patients", "out/", "--segments", "bones", *BOUND)
+        with open(self.path("out/segments.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["name"], row["segment"]) for row in rows], [(patient, name) for patient in "ab" for name in ("hip_left", "skull")])
+        for row in rows:
+            voxels = int(self.masks[row["segment"]].sum())
+            self.assertEqual(int(row["voxels"]), voxels)
+            size = voxels * abs(np.linalg.det(AFFINE))
+            self.assertAlmostEqual(float(row["volume_in_mm3"]), size, delta=0.1 * size)
+            self.assertAlmostEqual(float(row["volume_out_mm3"]), size, delta=0.1 * size)
+            self.assertGreater(float(row["thickness_in_mm"]), 0)
+            self.assertEqual((row["voxels_lost"], row["voxels_gained"]), ("0", "0"))
+        self.path("out/segments.csv").unlink()
+        self.succeed("summary", "out")
+        self.assertTrue(self.path("out/segments.csv").exists())
         for patient in ("a", "b"):
             self.assertEqual(list(self.files(f"out/{patient}")), ["hip_left", "skull"])
 
