@@ -181,7 +181,7 @@ bool AreMasks(const std::vector<fs::path>& files)
 
 bool HoldsMasks(const std::string& folder)
 {
-  static std::map<std::string, bool> known; // it is asked for again and again
+  static std::map<std::string, bool> known; // it is queried many times
   const auto found = known.find(folder);
   return found != known.end()
     ? found->second
