@@ -118,7 +118,7 @@ class Scans(unittest.TestCase):
                             (None, "not in one plane")):
             with self.assertRaisesRegex(ValueError, says):
                 extract_surfaces(image) if image else LabelMap(halves(), axes="xyz", affine=flat)
-        with self.assertRaisesRegex(TypeError, "one of VTK, SimpleITK or nibabel, not int"):
+        with self.assertRaisesRegex(TypeError, "one of VTK, SimpleITK, nibabel or MONAI, not int"):
             LabelMap.from_image(3)
         with self.assertRaisesRegex(ValueError, "their own"):
             extract_surfaces(simpleitk(), spacing=SPACING)

@@ -17,6 +17,7 @@ from .arrays import Aborted, Certificate, Result, certify, decimate, smooth
 from .label_maps import LabelSurfaces, extract_label, extract_surfaces
 from .label_pieces import PieceChanges, change_pieces
 from .levels import Levels, open_levels, record_levels
+from .segments import Segment, Segments, segments
 from .voxel_check import LabelChanges, VoxelChanges, check_voxels
 from .voxels import LabelMap, VoxelGrid
 
@@ -24,8 +25,8 @@ if TYPE_CHECKING:
     from .vtk_filter import vtkBoneDecimate
 
 __all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces", "Levels", "PieceChanges", "PreparedSurface",
-           "Result", "StopReason", "VoxelChanges", "VoxelGrid", "__version__", "certify", "change_pieces", "check_voxels", "decimate",
-           "extract_label", "extract_surfaces", "open_levels", "record_levels", "smooth", "vtkBoneDecimate"]
+           "Result", "Segment", "Segments", "StopReason", "VoxelChanges", "VoxelGrid", "__version__", "certify", "change_pieces", "check_voxels", "decimate",
+           "extract_label", "extract_surfaces", "open_levels", "record_levels", "segments", "smooth", "vtkBoneDecimate"]
 
 # Classes of the package that is built with VTK, and what does the same here.
 _BUILT_WITH_VTK = {

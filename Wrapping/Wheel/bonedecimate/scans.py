@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Images of SimpleITK and nibabel as arrays in LPS. Depends on neither: they are known by what they have."""
+"""Images of SimpleITK, nibabel and MONAI as arrays in LPS. Depends on neither: they are known by what they have."""
 
 from __future__ import annotations
 
@@ -33,6 +33,15 @@ class NibabelImage(Protocol):
     header: Any
 
 
+class MetaTensor(Protocol):
+    """What is used of MONAI's MetaTensor."""
+
+    affine: Any
+    meta: dict
+
+    def detach(self) -> Any: ...
+
+
 class Scan(NamedTuple):
     """The arguments of LabelMap, mm, LPS."""
 
@@ -49,9 +58,26 @@ def is_nibabel(image: object) -> bool:
     return hasattr(image, "affine") and hasattr(image, "dataobj")
 
 
-def scan_of(image: SimpleItkImage | NibabelImage) -> Scan:
+def is_metatensor(image: object) -> bool:
+    return all(hasattr(image, name) for name in ("affine", "meta", "detach"))
+
+
+def scan_of(image: SimpleItkImage | NibabelImage | MetaTensor) -> Scan:
     """Raises ValueError for several values a voxel."""
-    return _of_nibabel(image) if is_nibabel(image) else _of_simpleitk(image)
+    return _of_metatensor(image) if is_metatensor(image) else _of_nibabel(image) if is_nibabel(image) else _of_simpleitk(image)
+
+
+def _of_metatensor(image: Any) -> Scan:
+    voxels = np.asarray(image.detach().cpu())
+    if voxels.ndim == 4 and voxels.shape[0] == 1:
+        voxels = voxels[0]
+    if voxels.ndim != 3:
+        raise ValueError(f"the tensor has the shape {tuple(voxels.shape)}; labels have one channel: (1, x, y, z), after AsDiscrete(argmax=True)")
+    space = str(getattr(image.meta.get("space", "RAS"), "value", image.meta.get("space", "RAS"))).upper()
+    if space not in ("RAS", "LPS"):
+        raise ValueError(f"meta['space'] is {space!r}, which is neither RAS nor LPS")
+    affine = np.asarray(image.affine.detach().cpu(), dtype=np.float64)
+    return Scan(voxels, "xyz", {"affine": RAS_TO_LPS @ affine if space == "RAS" else affine})
 
 
 def _of_simpleitk(image: Any) -> Scan:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .checks import numbers_of, numeric_array
-from .scans import NibabelImage, SimpleItkImage, is_nibabel, is_simpleitk, scan_of
+from .scans import MetaTensor, NibabelImage, SimpleItkImage, is_metatensor, is_nibabel, is_simpleitk, scan_of
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -143,10 +143,11 @@ class LabelMap:
                               layers=layers)
 
     @classmethod
-    def from_image(cls, image: vtkImageData | SimpleItkImage | NibabelImage) -> LabelMap:
-        """Of an image of VTK, SimpleITK or nibabel, where it says that its voxels are, mm.
+    def from_image(cls, image: vtkImageData | SimpleItkImage | NibabelImage | MetaTensor) -> LabelMap:
+        """Of an image of VTK, SimpleITK, nibabel or MONAI, where it says that its voxels are, mm.
 
-        Coordinates are LPS, as of DICOM, ITK and 3D Slicer's files: those of nibabel are turned from RAS into LPS.
+        Coordinates are LPS, as of DICOM, ITK and 3D Slicer's files: those of nibabel, and of a MetaTensor of one channel whose
+        ``meta["space"]`` is RAS, are turned into LPS.
 
         Raises
         ------
@@ -161,8 +162,8 @@ class LabelMap:
         if hasattr(image, "GetDirectionMatrix"):
             from .images import label_map_of  # imports VTK, which is there
             return label_map_of(image)
-        if not (is_simpleitk(image) or is_nibabel(image)):
-            raise TypeError(f"an image is one of VTK, SimpleITK or nibabel, not {type(image).__name__}")
+        if not (is_simpleitk(image) or is_nibabel(image) or is_metatensor(image)):
+            raise TypeError(f"an image is one of VTK, SimpleITK, nibabel or MONAI, not {type(image).__name__}")
         labels, axes, where = scan_of(image)
         return cls(labels, axes=axes, **where)
 
@@ -186,13 +187,13 @@ def is_default(spacing: Sequence[float], origin: Sequence[float], direction: Arr
 
 
 # Types that a function takes as a label map.
-LabelMapLike = Union["LabelMap", "vtkImageData", SimpleItkImage, NibabelImage, ArrayLike]
+LabelMapLike = Union["LabelMap", "vtkImageData", SimpleItkImage, NibabelImage, MetaTensor, ArrayLike]
 
 
 def has_grid(label_map: LabelMapLike) -> bool:
     """Whether it is more than an array."""
     return (isinstance(label_map, LabelMap) or hasattr(label_map, "GetDirectionMatrix")
-            or is_simpleitk(label_map) or is_nibabel(label_map))
+            or is_simpleitk(label_map) or is_nibabel(label_map) or is_metatensor(label_map))
 
 
 def label_map_from(label_map: LabelMapLike, grid: VoxelGrid | None) -> LabelMap:

@@ -1,0 +1,165 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surfaces by name from what a segmentation network gives: a folder of masks, a file, an image or an array. Needs no VTK."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import warnings
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .arrays import Result, decimate
+from .label_maps import extract_surfaces
+from .voxels import LabelMap, LabelMapLike, has_grid, label_map_from
+
+if TYPE_CHECKING:
+    import meshio
+    import pyvista
+    import trimesh
+
+HALF_A_VOXEL = {"preset": "HalfVoxel", "auto_smooth": True}
+
+
+class Segment(NamedTuple):
+    """The closed surface of one structure."""
+
+    name: str
+    label: int
+    points: NDArray[np.float64]  #: (n, 3), mm, LPS
+    triangles: NDArray[np.int32]  #: (m, 3), outward
+
+    def to_pyvista(self) -> pyvista.PolyData:
+        import pyvista
+        return pyvista.PolyData.from_regular_faces(self.points, self.triangles)
+
+    def to_trimesh(self) -> trimesh.Trimesh:
+        import trimesh
+        return trimesh.Trimesh(self.points, self.triangles, process=False)
+
+    def to_meshio(self) -> meshio.Mesh:
+        import meshio
+        return meshio.Mesh(self.points, [("triangle", self.triangles)])
+
+
+class Segments(Mapping[str, Segment]):
+    """Structures by name, in the order of their labels."""
+
+    result: Result  #: the surfaces of all structures together, with walls once, and what is proved of them
+    empty: list[str]  #: structures of which there is no triangle
+
+    def __init__(self, result: Result, names: Mapping[int, str], labels: Iterable[int]) -> None:
+        self.result, self.empty, self._segments = result, [], {}
+        for label in labels:
+            name = names.get(label, f"label_{label}")
+            points, triangles = result.label(label)
+            if len(triangles):
+                self._segments[name] = Segment(name, label, points, triangles)
+            else:
+                self.empty.append(name)
+
+    def __getitem__(self, name: str) -> Segment:
+        return self._segments[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._segments)
+
+    def __len__(self) -> int:
+        return len(self._segments)
+
+    def to_pyvista(self) -> pyvista.MultiBlock:
+        """A block for each structure, by name."""
+        import pyvista
+        return pyvista.MultiBlock({name: segment.to_pyvista() for name, segment in self.items()})
+
+    def __repr__(self) -> str:
+        return f"<bonedecimate.Segments: {', '.join(self)}; {self.result.proved_error:.6g} mm proved>"
+
+
+def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[int, str] | None = None,
+             choose: Iterable[int | str] | None = None, progress: Any = None, **options: Any) -> Segments:
+    """The simplified surfaces of the structures of a segmentation, by name, with walls between neighbors in common.
+
+    Parameters
+    ----------
+    source : path, `LabelMap`, image of nibabel or SimpleITK, MetaTensor of MONAI, or (nz, ny, nx) array of whole numbers
+        The path of a label map, or of a folder with a mask for each structure, as TotalSegmentator writes it: masks get the labels
+        1, 2, ... in the order of their names, and of masks that overlap the last one counts, with a warning. NIfTI files need
+        nibabel, all others SimpleITK. A MetaTensor has one channel and says in ``meta["space"]`` whether its affine is RAS or LPS.
+    names : mapping of labels to names, optional
+        Default: the names of masks, otherwise "label_3".
+    choose : labels and names, optional
+        All others count as background. Default: all.
+    progress, options
+        As `decimate` takes them. Default: half a voxel as the largest error, with smoothing within it.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As of `LabelMap`, `extract_surfaces` and `decimate`; masks on different grids, or with several values; a structure that is not there.
+    ImportError
+        The package that reads the file is missing.
+    """
+    label_map, found = _read(source)
+    names = {**found, **(names or {})}
+    present = [int(label) for label in np.unique(label_map.labels) if label != 0]
+    chosen = present if choose is None else _chosen(choose, names, present)
+    surfaces = extract_surfaces(label_map, labels=chosen)
+    result = decimate(surfaces, label_map=label_map if chosen == present else None, progress=progress, **(options or HALF_A_VOXEL))
+    return Segments(result, names, chosen if choose is not None else sorted({*present, *names}))
+
+
+def _chosen(choose: Iterable[int | str], names: Mapping[int, str], present: list[int]) -> list[int]:
+    by_name = {name.lower(): label for label, name in names.items()}
+    chosen = set()
+    for word in choose:
+        label = by_name.get(word.lower()) if isinstance(word, str) else int(word)
+        if label is None or label not in {*present, *names}:
+            raise ValueError(f"there is no structure {word!r}; there are {', '.join(names.values()) or present}")
+        chosen.add(label)
+    return sorted(chosen & set(present))
+
+
+def _read(source: object) -> tuple[LabelMap, dict[int, str]]:
+    if isinstance(source, (str, os.PathLike)):
+        path = pathlib.Path(source)
+        return _masks(path) if path.is_dir() else (label_map_from(_image(path), None), {})
+    return (label_map_from(source, None) if has_grid(source) else LabelMap(source)), {}
+
+
+def _image(path: pathlib.Path) -> Any:
+    if path.name.endswith((".nii", ".nii.gz")):
+        import nibabel
+        return nibabel.load(path)
+    import SimpleITK
+    return SimpleITK.ReadImage(os.fspath(path))
+
+
+def _masks(folder: pathlib.Path) -> tuple[LabelMap, dict[int, str]]:
+    """Of a folder: the masks in the order of the names of their files."""
+    files = sorted(path for path in folder.iterdir() if not path.name.startswith("."))
+    if not files:
+        raise ValueError(f"'{folder}' has no masks")
+    names = {label: path.name.split(".")[0] for label, path in enumerate(files, 1)}
+    whole = covered = None
+    for label, path in enumerate(files, 1):
+        mask = label_map_from(_image(path), None)
+        values = np.unique(mask.labels)
+        if len(values[values != 0]) > 1:
+            raise ValueError(f"'{path}' has more than one value besides 0, so it is no mask of one structure")
+        if whole is None:
+            whole = LabelMap(np.zeros(mask.labels.shape, np.uint16))
+            whole.grid = mask.grid
+            covered = np.zeros(mask.labels.shape, bool)
+        elif not mask.grid.is_same_as(whole.grid):
+            raise ValueError(f"'{path}' has another grid than the masks before it")
+        inside = mask.labels != 0
+        covered |= inside & (whole.labels != 0)
+        whole.labels[inside] = label
+    if covered.any():
+        warnings.warn(f"{int(covered.sum())} voxels are in more than one mask and count as those of the last one", stacklevel=4)
+    return whole, names
