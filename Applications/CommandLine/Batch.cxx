@@ -42,6 +42,12 @@ void RemoveSegmentFolder(int process, const std::string& output)
   }
 }
 
+/// What was left out counts less than what failed.
+int Rank(ExitCode code)
+{
+  return code == ExitCode::Done ? 0 : code == ExitCode::LeftOut ? 1 : 1 + static_cast<int>(code);
+}
+
 constexpr std::size_t LongestName = 60; // longer names move the rest of their lines
 
 /// The folder that has the output, a file or a folder.
@@ -334,7 +340,7 @@ private:
   ExitCode WorstCode() const
   {
     const auto worst = std::max_element(this->Rows.begin(), this->Rows.end(),
-      [](const BatchRow& a, const BatchRow& b) { return a.Code < b.Code; });
+      [](const BatchRow& a, const BatchRow& b) { return Rank(a.Code) < Rank(b.Code); });
     return worst->Code;
   }
 

@@ -40,7 +40,7 @@ BatchBone BoneOf(const fs::path& path, bool takesVolumes)
   if (bone.Volume && !takesVolumes)
   {
     bone.WhyNot = "a volume: --iso HU or, of a label map, --segments says which surface to take";
-    bone.CodeIfNot = ExitCode::InputRejected;
+    bone.CodeIfNot = ExitCode::LeftOut;
   }
   else if (!bone.Volume && FindFormat(bone.Input) == nullptr)
   {

@@ -36,7 +36,7 @@ struct BatchBone
  * every file, every folder of a DICOM series or TIFF slices, but hidden ones, those that --only
  * leaves out, and the output folder. What is neither a surface nor a volume has a reason instead of
  * outputs and counts as Done, because the command line did not name it; a volume without --iso and
- * --segments, or a folder that cannot be read, counts as InputRejected.
+ * --segments counts as LeftOut, a folder that cannot be read as InputRejected.
  * @throws Failure(ExitCode::InputRejected) if there is no bone, Failure(ExitCode::Usage) if an
  * output is an input, or if --iso is given and there is no volume.
  */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BatchTable.h"
 
+#include "BatchPage.h"
 #include "Figures/BoundText.h"
 #include "FilePath.h"
 #include "NumberText.h"
@@ -126,6 +127,9 @@ void TakeReport(BatchRow& row, const std::string& report)
     row.Figures[column.Heading] = ValueAt(json, column.Pointer);
   }
   row.Segments = SegmentRows(json);
+  row.Report = report;
+  const Json output = ValueAt(json, "/files/output");
+  row.Output = output.is_string() ? output.get<std::string>() : std::string();
   for (const Json& warning : ValueAt(json, "/warnings"))
   {
     row.Message += (row.Message.empty() ? "warning: " : "; warning: ") +
@@ -181,6 +185,7 @@ std::string WriteTables(const std::string& folder, const std::vector<BatchRow>& 
 {
   const std::string summary = (FilePath(folder) / "summary.csv").string();
   WriteTextFile(summary, ComposeCsv(rows));
+  WriteTextFile((FilePath(folder) / "summary.html").string(), ComposeBatchPage(folder, rows));
   const std::string segments = ComposeSegmentsCsv(rows);
   if (!segments.empty())
   {

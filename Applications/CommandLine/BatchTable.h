@@ -27,6 +27,8 @@ struct BatchRow
   nlohmann::json Figures; ///< Figures of its report, by column of summary.csv; null: none.
   /// Of each segment of a label map: figures by column of segments.csv.
   std::vector<nlohmann::json> Segments;
+  std::string Report; ///< Path; empty: none.
+  std::string Output; ///< The surface beside the report; empty: there are several.
 };
 
 /// Takes figures and warnings from the file of a report. A report that cannot be read gives none.
@@ -37,7 +39,7 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows);
 /// A row for each segment of each input; empty if no input has segments.
 std::string ComposeSegmentsCsv(const std::vector<BatchRow>& rows);
 
-/// Writes summary.csv, and segments.csv if there are segments, into a folder.
+/// Writes summary.csv, summary.html, and segments.csv if there are segments, into a folder.
 /// @return The path of summary.csv.  @throws Failure(ExitCode::CouldNotWrite)
 std::string WriteTables(const std::string& folder, const std::vector<BatchRow>& rows);
 

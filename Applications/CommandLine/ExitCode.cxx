@@ -21,6 +21,9 @@ const std::vector<std::pair<ExitCode, std::string>>& ExitCodeMeanings()
       "defect" },
     { ExitCode::Undecided,
       "the certificate could prove neither that the tolerance is kept nor that it is violated" },
+    { ExitCode::LeftOut,
+      "of a batch: volumes were left out, because neither --iso nor --segments says what to take "
+      "from them; all else is done" },
   };
   return codes;
 }

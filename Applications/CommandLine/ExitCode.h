@@ -24,7 +24,8 @@ enum class ExitCode : int
   Interrupted = 4,
   OutOfMemory = 5,
   Violated = 6, ///< As an end of a decimation: a defect.
-  Undecided = 7
+  Undecided = 7,
+  LeftOut = 8 ///< Of a batch: something was left out, and all else is done.
 };
 
 /// Every code with its meaning.

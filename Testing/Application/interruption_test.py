@@ -117,7 +117,7 @@ class Interruption(ApplicationTest):
         process.send_signal(signal.SIGTERM)
         output, errors = process.communicate()
         self.assertEqual((process.returncode, errors), (INTERRUPTED, "bonedecimate: interrupted\n"))
-        self.assertEqual(sorted(p.name for p in self.path("out").iterdir()), ["summary.csv"])
+        self.assertEqual(sorted(p.name for p in self.path("out").iterdir()), ["summary.csv", "summary.html"])
         table = self.path("out/summary.csv").read_text()
         self.assertEqual(table.count(",interrupted,4,") + table.count(",not run,,"), 3)
         self.assertIn("interrupted", output)

@@ -3,6 +3,7 @@
 """A folder with a mask for each structure is one label map: the same bytes as the file with all labels."""
 
 import csv
+import re
 
 import nibabel
 import numpy as np
@@ -120,7 +121,12 @@ class Masks(ApplicationTest):
             self.assertGreater(float(row["thickness_in_mm"]), 0)
             self.assertEqual((row["voxels_lost"], row["voxels_gained"]), ("0", "0"))
         self.path("out/segments.csv").unlink()
+        page = self.path("out/summary.html").read_text(encoding="utf-8")
+        for link in re.findall(r'href="([^"]+)"', page):
+            self.assertTrue(self.path("out").joinpath(link).is_file(), link)
+        self.assertIn('href="a/index.html"', page)
         self.succeed("summary", "out")
+        self.assertEqual(self.path("out/summary.html").read_text(encoding="utf-8"), page)
         self.assertTrue(self.path("out/segments.csv").exists())
         for patient in ("a", "b"):
             self.assertEqual(list(self.files(f"out/{patient}")), ["hip_left", "skull"])

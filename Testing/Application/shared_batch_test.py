@@ -50,7 +50,7 @@ class SharedBatch(ApplicationTest):
         self.assertEqual(len(set(written)), BONES)
         self.assertEqual(set(started), {row["name"] for row in self.rows()})
         self.assertEqual({row["triangles_out"] for row in self.rows()}, {"960"})
-        self.assertEqual(sorted(entry.name for entry in self.path("out").iterdir()), ["0", "1", "2", "3", "4", "summary.csv"])
+        self.assertEqual(sorted(entry.name for entry in self.path("out").iterdir()), ["0", "1", "2", "3", "4", "summary.csv", "summary.html"])
 
     def test_inputs_of_another_batch_are_left_to_it(self):
         """Runs of inputs are counted by the times at which their reports were written: nothing is written twice."""
