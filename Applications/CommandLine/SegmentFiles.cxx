@@ -10,6 +10,7 @@
 #include "Formats/SurfaceFormat.h"
 #include "Interruption.h"
 #include "NamedLabels.h"
+#include "NumberText.h"
 #include "PointPosition.h"
 #include "ReportFields.h"
 #include "SameFile.h"
@@ -31,6 +32,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -175,6 +177,40 @@ void PaintTriangles(vtkPolyData* surface, const std::optional<LabelColor>& color
   surface->GetCellData()->AddArray(colors);
 }
 
+/// mm3, of a voxel of the result's grid; 0 if it has none, or layers at uneven distances.
+double VoxelVolumeOf(vtkPolyData* result)
+{
+  vtkFieldData* const fields = result->GetFieldData();
+  vtkDataArray* const spacing = fields->GetArray("VoxelGridSpacing");
+  if (!spacing || spacing->GetNumberOfValues() < 3 || fields->HasArray("VoxelGridLayers") != 0)
+  {
+    return 0.0;
+  }
+  double volume = 1.0;
+  for (vtkIdType axis = 0; axis < 3; ++axis)
+  {
+    volume *= spacing->GetVariantValue(axis).ToDouble();
+  }
+  return volume;
+}
+
+/// Surfaces round off what is a voxel thin: a rod of single voxels loses half of its volume.
+void WarnOfThinSegment(vtkPolyData* result, const SegmentRecord& segment, ReportSubject& subject)
+{
+  constexpr double kept = 0.75;
+  const double voxels = ReportFields(result)
+                          .Number("voxels.of_" + std::to_string(segment.Label.Value) + ".voxels")
+                          .value_or(0.0);
+  const double before = voxels * VoxelVolumeOf(result);
+  const double after = std::accumulate(segment.Volumes.begin(), segment.Volumes.end(), 0.0);
+  if (before > 0.0 && after < kept * before)
+  {
+    subject.Warnings.push_back("segment " + LabelText(segment.Label) +
+      " is so thin that its surface has " + GroupedText(100.0 * after / before) +
+      " % of the volume of its " + GroupedText(voxels) + " voxels");
+  }
+}
+
 /// Writes the files of the segments.
 class SegmentWriter
 {
@@ -244,6 +280,7 @@ void WriteSegments(
       PaintTriangles(surface, labels[i].Color);
       writer.Write(surface, names[i], record);
     }
+    WarnOfThinSegment(result, record, subject);
     subject.Segments.push_back(record);
   }
   if (files.Blocks)

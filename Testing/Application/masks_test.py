@@ -96,6 +96,15 @@ class Masks(ApplicationTest):
         self.fail_with(REJECTED, "masks", "no/", "--segments", "all", says="spleen.nii.gz: it has more than one value besides 0")
         self.succeed("masks", "bones/", "--segments", "bones", "--target-reduction", "0.5")
 
+    def test_segments_that_are_a_voxel_thin_are_named(self):
+        labels = np.zeros(SHAPE, np.uint8)
+        labels[5, 5, 5:35] = 1
+        labels[15:30, 15:30, 10:30] = 2
+        self.write("rods.nii.gz", labels)
+        said = self.succeed("rods.nii.gz", "out/", "--segments", "all", "--target-reduction", "0.5").stdout
+        self.assertRegex(said, r"warning: segment 1 is so thin that its surface has [3-6]\d % of the volume of its 30 voxels\n")
+        self.assertNotIn("segment 2 is so thin", said)
+
     def test_folders_of_studies_stay_batches(self):
         for folder, names in (("cases", ("case_1", "case_2")), ("grids", ("left", "right"))):
             for number, name in enumerate(names):
