@@ -54,26 +54,26 @@ public:
   }
   bool NeedsSurfaceChange() const override { return true; }
   std::shared_ptr<EditFilter::Pending> MakePending() override { return std::make_shared<Seen>(); }
-  Decision Check(
-    const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const override
+  Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
+    EditFilter::Pending& pending) const override
   {
     Seen& seen = static_cast<Seen&>(pending);
-    seen.Faces = this->FacesNear(mesh, edit.Change);
+    seen.Faces = this->FacesNear(mesh, change);
     seen.IsCompared = false;
     ++this->Checked;
     return Decision::Accept();
   }
   double Reach(const EditFilter::Pending&) const override { return this->Distance; }
-  bool StillAccepts(
-    const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const override
+  bool StillAccepts(const HalfEdgeMesh& mesh, const SurfaceChange& change,
+    EditFilter::Pending& pending) const override
   {
     Seen& seen = static_cast<Seen&>(pending);
-    this->Stale += seen.Faces == this->FacesNear(mesh, edit.Change) ? 0 : 1;
+    this->Stale += seen.Faces == this->FacesNear(mesh, change) ? 0 : 1;
     seen.IsCompared = true;
     return true;
   }
   void Commit(
-    const HalfEdgeMesh&, const ProposedEdit&, EditFilter::Pending& pending, Tally&) override
+    const HalfEdgeMesh&, const SurfaceChange&, EditFilter::Pending& pending, Tally&) override
   {
     this->NotCompared += static_cast<Seen&>(pending).IsCompared ? 0 : 1;
     ++this->Committed;
@@ -138,12 +138,12 @@ class ChangesItsMindFilter : public EditFilter
 {
 public:
   bool StillAccepts(
-    const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending&) const override
+    const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending&) const override
   {
-    this->Accepts = !this->Declined.insert(edit.Requested.Edge).second;
+    this->Accepts = !this->Declined.insert(change.Requested.Edge).second;
     return this->Accepts;
   }
-  void Commit(const HalfEdgeMesh&, const ProposedEdit&, EditFilter::Pending&, Tally&) override
+  void Commit(const HalfEdgeMesh&, const SurfaceChange&, EditFilter::Pending&, Tally&) override
   {
     EXPECT_TRUE(this->Accepts);
     ++this->Committed;
@@ -161,8 +161,8 @@ bool Check(const Editor& editor, HalfEdgeId h, Workspace& space)
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
   const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
-  return editor.Validate(h, space).IsAccepted() &&
-    editor.CheckCollapse({ h, mesh.Origin(h), middle, false }, space, 1).IsAccepted();
+  return editor.Gather(h, space).IsAccepted() &&
+    editor.Check({ h, mesh.Origin(h), middle, false }, space).IsAccepted();
 }
 }
 
@@ -188,7 +188,7 @@ TEST(BatchSweep, TriesAnEditAgainThatIsNoLongerAccepted)
   Editor editor(cleaned, Proving(0.3, filter));
   BucketSweep(editor, { 0, 0.0 }, 1).Run(Always);
   EXPECT_GT(filter->Committed, 30);
-  EXPECT_EQ(filter->Committed, editor.NumberOfCollapses());
+  EXPECT_EQ(filter->Committed, editor.Totals().Collapses);
 }
 
 TEST(BatchSweep, ErrorBoundAcceptsNoEditOfWhichAnotherOneHasChangedTheCoverage)
@@ -214,14 +214,14 @@ TEST(BatchSweep, ErrorBoundAcceptsNoEditOfWhichAnotherOneHasChangedTheCoverage)
       continue;
     }
     // On the mesh as it was at first every face covers itself.
-    const std::vector<Index>& faces = second.Proposed.Change.OldFaces;
+    const std::vector<Index>& faces = second.Change.OldFaces;
     const bool haveCommon = std::any_of(faces.begin(), faces.end(),
       [&](Index face)
       {
-        const std::vector<Index>& others = first.Proposed.Change.OldFaces;
+        const std::vector<Index>& others = first.Change.OldFaces;
         return std::find(others.begin(), others.end(), face) != others.end();
       });
-    editor.ApplyCollapse(first);
+    editor.Apply(first);
     EXPECT_EQ(editor.StillAccepts(second), !haveCommon) << h;
     ++(haveCommon ? shared : apart);
   }
@@ -248,19 +248,19 @@ TEST(BatchSweep, FragmentGuardAcceptsNoEditForWhichAnotherOneHasLeftNoVolume)
   const HalfEdgeMesh mesh(sphere, 1);
   FragmentGuard guard(mesh, sphere);
   const FragmentVolumes none;
-  ProposedEdit edit;
-  edit.Vertex = 0;
-  edit.VolumeChange = -0.4 * 4.0 / 3.0 * 3.14 * 1000.0; // two of them leave too little
-  edit.Unsettled = &none;
+  SurfaceChange change;
+  change.Vertex = 0;
+  change.VolumeChange = -0.4 * 4.0 / 3.0 * 3.14 * 1000.0; // two of them leave too little
+  change.Unsettled = &none;
   const std::shared_ptr<EditFilter::Pending> first = guard.MakePending();
   const std::shared_ptr<EditFilter::Pending> second = guard.MakePending();
-  ASSERT_TRUE(guard.Screen(mesh, edit, *first).IsAccepted());
-  ASSERT_TRUE(guard.Screen(mesh, edit, *second).IsAccepted());
-  EXPECT_TRUE(guard.StillAccepts(mesh, edit, *second));
+  ASSERT_TRUE(guard.Screen(mesh, change, *first).IsAccepted());
+  ASSERT_TRUE(guard.Screen(mesh, change, *second).IsAccepted());
+  EXPECT_TRUE(guard.StillAccepts(mesh, change, *second));
   Tally tally;
-  guard.Commit(mesh, edit, *first, tally);
+  guard.Commit(mesh, change, *first, tally);
   guard.Settle(&tally, 1);
-  EXPECT_FALSE(guard.StillAccepts(mesh, edit, *second));
+  EXPECT_FALSE(guard.StillAccepts(mesh, change, *second));
 }
 
 TEST(WorkerTeam, CallsEachPartOnceInEveryRun)

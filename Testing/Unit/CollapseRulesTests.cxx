@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BruteForce.h"
 #include "Decimate/Edit/Editor.h"
+#include "EditAlone.h"
 #include "Random.h"
 #include "Runs.h"
 
@@ -66,7 +67,7 @@ void CompareAllEdges(const Surface& input)
   {
     const Index from = mesh.Origin(h);
     const Index to = mesh.Target(h);
-    const Rejection rejection = editor.Validate(h).Reason();
+    const Rejection rejection = GatherAlone(editor, h).Reason();
     if (mesh.Constraint(from) == VertexConstraint::NonManifold ||
       mesh.Constraint(to) == VertexConstraint::NonManifold)
     {
@@ -173,11 +174,12 @@ TEST(EditValidity, TheTableOfEndsHolds)
     }
     return None;
   };
-  EXPECT_EQ(editor.Validate(edge(5, 6)), Rejection::NotRejected);
-  EXPECT_EQ(editor.Validate(edge(5, 9)), Rejection::NotRejected);
-  EXPECT_EQ(editor.Validate(edge(1, 2)), Rejection::NotRejected);
-  EXPECT_EQ(editor.Validate(edge(5, 1)), Rejection::NotRejected);
-  EXPECT_EQ(editor.Validate(edge(2, 7)), Rejection::Boundary) << "it would pinch the corner off";
+  EXPECT_EQ(GatherAlone(editor, edge(5, 6)), Rejection::NotRejected);
+  EXPECT_EQ(GatherAlone(editor, edge(5, 9)), Rejection::NotRejected);
+  EXPECT_EQ(GatherAlone(editor, edge(1, 2)), Rejection::NotRejected);
+  EXPECT_EQ(GatherAlone(editor, edge(5, 1)), Rejection::NotRejected);
+  EXPECT_EQ(GatherAlone(editor, edge(2, 7)), Rejection::Boundary)
+    << "it would pinch the corner off";
 }
 
 TEST(EditValidity, RejectsCollapsesOfTheLeastFragments)
@@ -188,7 +190,7 @@ TEST(EditValidity, RejectsCollapsesOfTheLeastFragments)
     Editor editor(cleaned, EditorSettings());
     for (const Index h : HalfEdges(editor.Mesh()))
     {
-      EXPECT_EQ(editor.Validate(h), Rejection::Fragment);
+      EXPECT_EQ(GatherAlone(editor, h), Rejection::Fragment);
     }
   }
 }
@@ -200,7 +202,7 @@ TEST(EditValidity, TheLinkConditionRejectsAnEdgeAroundATunnel)
   std::int64_t rejected = 0;
   for (const Index h : HalfEdges(editor.Mesh()))
   {
-    rejected += editor.Validate(h) == Rejection::LinkCondition ? 1 : 0;
+    rejected += GatherAlone(editor, h) == Rejection::LinkCondition ? 1 : 0;
   }
   EXPECT_GT(rejected, 0);
 }

@@ -3,6 +3,7 @@
 // What a draft leaves to the edits that follow: the certificate, which is independent of it,
 // confirms that they are proved.
 #include "Decimate/Edit/Editor.h"
+#include "EditAlone.h"
 #include "MeshState.h"
 #include "Proof/Certificate/Certificate.h"
 #include "Random.h"
@@ -22,12 +23,12 @@ void CollapseAnywhere(Editor& editor, Random& random, double beside) // mm
   for (const Index edge : HalfEdges(mesh, 1 + random.Below(5)))
   {
     const HalfEdgeId h(edge);
-    if (mesh.IsAlive(HalfEdgeMesh::Face(h)) && editor.Validate(h).IsAccepted())
+    if (mesh.IsAlive(HalfEdgeMesh::Face(h)) && GatherAlone(editor, h).IsAccepted())
     {
       const VertexId keep = random.Below(2) == 0 ? mesh.Origin(h) : mesh.Target(h);
       const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
       const Vector3 at = random.Below(2) == 0 ? mesh.Position(keep) : middle;
-      editor.Collapse({ h, keep, at + random.InCube(beside), false });
+      TryAlone(editor, { h, keep, at + random.InCube(beside), false });
     }
   }
 }
@@ -48,9 +49,8 @@ TEST(DraftCoverage, KnowsAllFacesThatCoverAnOriginal)
     settings.KeepsQuadrics = true;
     settings.Bound = ErrorBoundSettings{ error };
     Editor editor(clean, settings);
-    ASSERT_TRUE(editor.BeginDraft(1));
-    CollapseAnywhere(editor, random, 0.4 * error * random.Below(2));
-    ASSERT_TRUE(editor.EndDraft(1, [](double) { return true; }));
+    ASSERT_TRUE(MakeProvedDraft(
+      editor, [&] { CollapseAnywhere(editor, random, 0.4 * error * random.Below(2)); }));
     for (int i = 0; i < 4; ++i)
     {
       CollapseAnywhere(editor, random, error * random.Below(2));

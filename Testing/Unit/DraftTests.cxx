@@ -4,6 +4,7 @@
 // edit, and by brute force.
 #include "Crossings.h"
 #include "Decimate/Edit/Editor.h"
+#include "EditAlone.h"
 #include "Mesh/Invariants.h"
 #include "MeshState.h"
 #include "Proof/Certificate/Certificate.h"
@@ -47,12 +48,12 @@ EditorSettings Recording(const std::shared_ptr<EditJournal>& journal)
 bool CollapseEdge(Editor& editor, HalfEdgeId h)
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
-  if (!mesh.IsAlive(HalfEdgeMesh::Face(h)) || !editor.Validate(h).IsAccepted())
+  if (!mesh.IsAlive(HalfEdgeMesh::Face(h)) || !GatherAlone(editor, h).IsAccepted())
   {
     return false;
   }
   const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
-  return editor.Collapse({ h, mesh.Origin(h), middle, false }).IsAccepted();
+  return TryAlone(editor, { h, mesh.Origin(h), middle, false }).IsAccepted();
 }
 
 Index CollapseMany(Editor& editor, Index step, Index most = 1 << 30)
@@ -132,12 +133,14 @@ std::int64_t CollapsesLeftOfTip(bool hasTetrahedron)
   const HalfEdgeMesh& mesh = editor.Mesh();
   const VertexId tip = VertexAt(mesh, clean, Vector3(4.0, 4.0, 0.4));
   const VertexId next = VertexAt(mesh, clean, Vector3(5.0, 4.0, 0.0));
-  EXPECT_TRUE(editor.BeginDraft(1));
-  const HalfEdgeId edge = EdgeBetween(mesh, tip, next);
-  EXPECT_TRUE(editor.Validate(edge).IsAccepted());
-  editor.Collapse({ edge, next, mesh.Position(next), false });
-  EXPECT_TRUE(editor.EndDraft(1, Never));
-  return editor.NumberOfCollapses();
+  EXPECT_TRUE(MakeProvedDraft(editor,
+    [&]
+    {
+      const HalfEdgeId edge = EdgeBetween(mesh, tip, next);
+      EXPECT_TRUE(GatherAlone(editor, edge).IsAccepted());
+      TryAlone(editor, { edge, next, mesh.Position(next), false });
+    }));
+  return editor.Totals().Collapses;
 }
 }
 
@@ -149,12 +152,16 @@ TEST(Draft, UndoRestoresTheMeshBitForBit)
     const CleanSurface clean = Clean(input, true);
     Editor editor(clean, Proving(2.0));
     const std::vector<double> before = StateOf(editor.Mesh());
-    ASSERT_TRUE(editor.BeginDraft(1));
-    ASSERT_GT(CollapseMany(editor, 1), 20);
-    ASSERT_NE(StateOf(editor.Mesh()), before);
-    editor.UndoDraft(1);
+    const auto collapseAndStop = [&]
+    {
+      EXPECT_GT(CollapseMany(editor, 1), 20);
+      EXPECT_NE(StateOf(editor.Mesh()), before);
+      return false;
+    };
+    EXPECT_FALSE(editor.MakeDraft(1, collapseAndStop, Never));
+    EXPECT_EQ(editor.Totals().Draft.Status, DraftStatus::Used);
     EXPECT_EQ(StateOf(editor.Mesh()), before);
-    EXPECT_EQ(editor.NumberOfCollapses(), 0);
+    EXPECT_EQ(editor.Totals().Collapses, 0);
     const std::vector<Index> current = editor.Reference().CurrentVertices();
     for (std::size_t v = 0; v < current.size(); ++v)
     {
@@ -168,16 +175,17 @@ TEST(Draft, IsMadeOnceAndOnlyWithABound)
   const CleanSurface clean = Clean(Icosphere(2, 10.0), true);
   EditorSettings settings = Proving(1.0);
   settings.Bound.reset();
-  EXPECT_FALSE(Editor(clean, settings).BeginDraft(1));
+  const auto nothing = [] {};
+  Editor unbound(clean, settings);
+  EXPECT_FALSE(MakeProvedDraft(unbound, nothing));
   settings = Proving(1.0);
   settings.RecordsEdits = true;
   Editor recording(clean, settings);
-  EXPECT_FALSE(recording.BeginDraft(1));
-  EXPECT_EQ(recording.DraftReport().Status, DraftStatus::EditsAreRecorded);
+  EXPECT_FALSE(MakeProvedDraft(recording, nothing));
+  EXPECT_EQ(recording.Totals().Draft.Status, DraftStatus::EditsAreRecorded);
   Editor editor(clean, Proving(1.0));
-  EXPECT_TRUE(editor.BeginDraft(1));
-  EXPECT_TRUE(editor.EndDraft(1, Never));
-  EXPECT_FALSE(editor.BeginDraft(1));
+  EXPECT_TRUE(MakeProvedDraft(editor, nothing));
+  EXPECT_FALSE(MakeProvedDraft(editor, nothing));
 }
 
 TEST(Draft, KeepsOnlyWhatIsProved)
@@ -187,9 +195,7 @@ TEST(Draft, KeepsOnlyWhatIsProved)
     const Surface input = BumpySphere(4, 10.0, 0.3, 7);
     const CleanSurface clean = Clean(input, true);
     Editor editor(clean, Proving(error));
-    ASSERT_TRUE(editor.BeginDraft(1));
-    CollapseMany(editor, 1);
-    ASSERT_TRUE(editor.EndDraft(1, Never));
+    ASSERT_TRUE(MakeProvedDraft(editor, [&] { CollapseMany(editor, 1); }));
     EXPECT_EQ(BrokenInvariant(editor.Mesh()), "");
     Surface result = SurfaceOf(editor.Mesh());
     for (Vector3& p : result.Points)
@@ -222,9 +228,9 @@ TEST(Draft, AbortUndoesAllOfIt)
   const CleanSurface clean = Clean(input, true);
   Editor editor(clean, Proving(0.5));
   const std::vector<double> before = StateOf(editor.Mesh());
-  ASSERT_TRUE(editor.BeginDraft(1));
-  ASSERT_GT(CollapseMany(editor, 1), 20);
-  EXPECT_FALSE(editor.EndDraft(1, [](double) { return false; }));
+  const auto collapse = [&] { return CollapseMany(editor, 1) > 20; };
+  EXPECT_FALSE(editor.MakeDraft(1, collapse, [](double) { return false; }));
+  EXPECT_GT(editor.Totals().Draft.Collapses, 20);
   EXPECT_EQ(StateOf(editor.Mesh()), before);
 }
 

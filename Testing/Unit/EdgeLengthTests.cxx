@@ -47,15 +47,15 @@ void CollapseTo(Editor& editor, Index faces)
     for (Index k = 0; k < 3 && editor.Mesh().NumberOfFaces() > faces; ++k)
     {
       const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, k);
-      if (editor.Mesh().IsAlive(face) && editor.Validate(h, work).IsAccepted())
+      if (editor.Mesh().IsAlive(face) && editor.Gather(h, work).IsAccepted())
       {
         Edit edit;
         edit.Edge = h;
         edit.Keep = editor.Mesh().Origin(h);
         edit.Position = editor.Mesh().Position(edit.Keep);
         edit.KeepStays = true;
-        editor.Collapse(edit, work, 1);
-        editor.Settle(work.Counted);
+        editor.Try(edit, work);
+        editor.Settle(&work.Counted);
       }
     }
   }
@@ -135,7 +135,7 @@ TEST(EdgeSplit, LeavesTheSurfaceWhereItIs)
     Editor editor(clean, settings);
     const HalfEdgeMesh& mesh = editor.Mesh();
     CollapseTo(editor, mesh.NumberOfFaces() / 3);
-    ASSERT_TRUE(editor.BeginSplits());
+    ASSERT_TRUE(editor.PrepareSplits());
     const double area = AreaOf(mesh);
     const Index before = mesh.NumberOfFaces();
     Workspace work;
@@ -146,8 +146,8 @@ TEST(EdgeSplit, LeavesTheSurfaceWhereItIs)
       if (mesh.IsAlive(face))
       {
         const bool isBoundary = mesh.Twin(h) == None;
-        const bool isSplit = editor.Split(h, MiddleOf(mesh, h), work).IsAccepted();
-        editor.Settle(work.Counted);
+        const bool isSplit = editor.Try(SplitAt(h, MiddleOf(mesh, h)), work).IsAccepted();
+        editor.Settle(&work.Counted);
         onBoundary += isSplit && isBoundary ? 1 : 0;
         ASSERT_EQ(BrokenInvariant(mesh), "") << "face " << face;
       }
@@ -169,10 +169,10 @@ TEST(EdgeSplit, NeedsIdsOfRemovedVertices)
   EditorSettings settings;
   settings.RecordsDistances = false;
   Editor editor(clean, settings);
-  ASSERT_TRUE(editor.BeginSplits());
+  ASSERT_TRUE(editor.PrepareSplits());
   Workspace work;
   const HalfEdgeMesh& mesh = editor.Mesh();
-  EXPECT_EQ(editor.Split(0, MiddleOf(mesh, 0), work), Rejection::Shape);
+  EXPECT_EQ(editor.Try(SplitAt(0, MiddleOf(mesh, 0)), work), Rejection::Shape);
   EXPECT_EQ(mesh.NumberOfFaces(), mesh.NumberOfFaceSlots());
 }
 
@@ -185,7 +185,7 @@ TEST(EdgeSplit, KeepsTheErrorBound)
   settings.Bound->Error = 0.5;
   Editor editor(clean, settings);
   CollapseTo(editor, 900);
-  ASSERT_TRUE(editor.BeginSplits());
+  ASSERT_TRUE(editor.PrepareSplits());
   Workspace work;
   const HalfEdgeMesh& mesh = editor.Mesh();
   HalfEdgeId h = 0;
@@ -195,10 +195,10 @@ TEST(EdgeSplit, KeepsTheErrorBound)
   }
   const Vector3 middle = MiddleOf(mesh, h);
   const Index faces = mesh.NumberOfFaces();
-  EXPECT_TRUE(editor.Split(h, middle + 2.0 * middle.normalized(), work).IsRejected());
+  EXPECT_TRUE(editor.Try(SplitAt(h, middle + 2.0 * middle.normalized()), work).IsRejected());
   EXPECT_EQ(mesh.NumberOfFaces(), faces);
-  EXPECT_TRUE(editor.Split(h, middle, work).IsAccepted());
-  editor.Settle(work.Counted);
+  EXPECT_TRUE(editor.Try(SplitAt(h, middle), work).IsAccepted());
+  editor.Settle(&work.Counted);
   EXPECT_EQ(mesh.NumberOfFaces(), faces + 2);
   EXPECT_EQ(BrokenInvariant(mesh), "");
 }

@@ -3,6 +3,7 @@
 // An edit is applied only if every filter accepts it, and only then do filters commit.
 #include "BruteForce.h"
 #include "Decimate/Edit/Editor.h"
+#include "EditAlone.h"
 #include "Mesh/Invariants.h"
 #include "Runs.h"
 
@@ -27,20 +28,20 @@ public:
   }
 
   bool NeedsSurfaceChange() const override { return this->ReadsChange; }
-  Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit&, Pending&) const override
+  Decision Screen(const HalfEdgeMesh& mesh, const SurfaceChange&, Pending&) const override
   {
     this->FacesAtScreen = mesh.NumberOfFaces();
     return this->Record("screen", this->OfScreen);
   }
-  Decision Check(const HalfEdgeMesh&, const ProposedEdit& edit, Pending&) const override
+  Decision Check(const HalfEdgeMesh&, const SurfaceChange& change, Pending&) const override
   {
-    this->ChangedFaces = edit.Change.NewFaces.size();
+    this->ChangedFaces = change.NewFaces.size();
     return this->Record("check", this->OfCheck);
   }
-  void Commit(const HalfEdgeMesh&, const ProposedEdit& edit, Pending&, Tally&) override
+  void Commit(const HalfEdgeMesh&, const SurfaceChange& change, Pending&, Tally&) override
   {
     this->Calls.push_back(this->Name + " commit");
-    this->Committed.push_back(edit.Requested.Kind);
+    this->Committed.push_back(change.Requested.Kind);
   }
   void Settle(Tally*, std::size_t count) override { this->Settled += count; }
 
@@ -73,13 +74,13 @@ protected:
     EditorSettings settings{ false, false, false };
     settings.MoreFilters = { this->First, this->Second };
     this->MeshEditor.emplace(this->Cleaned, settings);
-    this->MeshEditor->DistributeVolumeBudget();
+    this->MeshEditor->PrepareCollapses(1);
   }
 
   Decision Collapse()
   {
     const HalfEdgeMesh& mesh = this->MeshEditor->Mesh();
-    return this->MeshEditor->Collapse({ 0, mesh.Origin(0), this->Middle() });
+    return TryAlone(*this->MeshEditor, { 0, mesh.Origin(0), this->Middle() });
   }
   Vector3 Middle() const
   {
@@ -89,7 +90,7 @@ protected:
   std::int64_t Rejections() const
   {
     std::int64_t sum = 0;
-    for (const std::int64_t count : this->MeshEditor->Rejections())
+    for (const std::int64_t count : this->MeshEditor->Totals().Rejections)
     {
       sum += count;
     }
@@ -98,7 +99,7 @@ protected:
   void ExpectUnchanged() const
   {
     EXPECT_TRUE(SameBytes(SurfaceOf(this->MeshEditor->Mesh()), this->Cleaned.Surface));
-    EXPECT_EQ(this->MeshEditor->NumberOfCollapses(), 0);
+    EXPECT_EQ(this->MeshEditor->Totals().Collapses, 0);
     EXPECT_TRUE(this->First->Committed.empty());
     EXPECT_TRUE(this->Second->Committed.empty());
   }
@@ -117,7 +118,7 @@ TEST_F(EditFilters, ScreenBeforeAnyChecksAndCommitWhenAllAccept)
   EXPECT_EQ(this->Calls,
     (std::vector<std::string>{ "first screen", "second screen", "first check", "second check",
       "first commit", "second commit" }));
-  EXPECT_EQ(this->MeshEditor->NumberOfCollapses(), 1);
+  EXPECT_EQ(this->MeshEditor->Totals().Collapses, 1);
   EXPECT_EQ(this->Rejections(), 0);
   EXPECT_EQ(this->First->FacesAtScreen, this->MeshEditor->Mesh().NumberOfFaceSlots());
   EXPECT_GE(this->First->Settled, 1U);
@@ -141,7 +142,7 @@ TEST_F(EditFilters, RejectForTheFirstReasonFoundAndNothingIsCommitted)
   for (const Rejection reason :
     { Rejection::Intersection, Rejection::ErrorBound, Rejection::Fragment })
   {
-    EXPECT_EQ(this->MeshEditor->Rejections()[static_cast<std::size_t>(reason)], 1);
+    EXPECT_EQ(this->MeshEditor->Totals().Rejections[static_cast<std::size_t>(reason)], 1);
   }
 }
 
@@ -165,7 +166,7 @@ TEST_F(EditFilters, DeferAnEditWithoutARejection)
 TEST_F(EditFilters, AreNotRunOnWhatTheRulesReject)
 {
   EXPECT_TRUE(
-    this->MeshEditor->Collapse({ 0, this->MeshEditor->Mesh().Origin(0), { 999, 999, 999 } })
+    TryAlone(*this->MeshEditor, { 0, this->MeshEditor->Mesh().Origin(0), { 999, 999, 999 } })
       .IsRejected());
   EXPECT_TRUE(this->Calls.empty());
   this->ExpectUnchanged();
@@ -177,12 +178,12 @@ TEST_F(EditFilters, DecideOnFlipsAndMovesToo)
   const Index vertex = this->MeshEditor->Mesh().Origin(0);
   const Vector3 position = 0.99 * this->MeshEditor->Mesh().Position(vertex);
   this->First->OfCheck = Rejection::ErrorBound;
-  EXPECT_EQ(this->MeshEditor->Flip(0, work, 1), Rejection::ErrorBound);
-  EXPECT_EQ(this->MeshEditor->Move(vertex, position, work, 1), Rejection::ErrorBound);
+  EXPECT_EQ(this->MeshEditor->Try(FlipOf(0), work), Rejection::ErrorBound);
+  EXPECT_EQ(this->MeshEditor->Try(MoveTo(vertex, position), work), Rejection::ErrorBound);
   this->ExpectUnchanged();
   this->First->OfCheck = Decision::Accept();
-  EXPECT_TRUE(this->MeshEditor->Flip(0, work, 1).IsAccepted());
-  EXPECT_TRUE(this->MeshEditor->Move(vertex, position, work, 1).IsAccepted());
+  EXPECT_TRUE(this->MeshEditor->Try(FlipOf(0), work).IsAccepted());
+  EXPECT_TRUE(this->MeshEditor->Try(MoveTo(vertex, position), work).IsAccepted());
   EXPECT_EQ(this->Second->Committed, (std::vector<EditKind>{ EditKind::Flip, EditKind::Move }));
   EXPECT_EQ(this->Rejections(), 0) << "neither is counted";
   EXPECT_EQ(this->MeshEditor->Mesh().Position(vertex), position);

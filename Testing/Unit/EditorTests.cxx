@@ -3,6 +3,7 @@
 #include "BruteForce.h"
 #include "Decimate/Cost/NormalFieldDeviation.h"
 #include "Decimate/Stages/ThesisCollapse.h"
+#include "EditAlone.h"
 #include "Mesh/Invariants.h"
 #include "Mesh/MeanEdgeLength.h"
 #include "Runs.h"
@@ -118,7 +119,7 @@ TEST_P(EveryCollapse, KeepsTheInvariantsOfTheMesh)
     {
       ASSERT_EQ(BrokenInvariant(editor.Mesh()), "") << "collapse " << collapses;
       ++collapses;
-      ASSERT_EQ(editor.NumberOfCollapses(), collapses);
+      ASSERT_EQ(editor.Totals().Collapses, collapses);
     });
 }
 
@@ -187,19 +188,19 @@ TEST(Editor, ARejectedEditChangesNothingAndIsCounted)
   editor.SetHook([&](const Editor&, const Edit&) { ++calls; });
   for (const Index h : HalfEdges(editor.Mesh()))
   {
-    EXPECT_NE(editor.Collapse({ h, editor.Mesh().Origin(h), { 9999, 9999, 9999 }, false }),
+    EXPECT_NE(TryAlone(editor, { h, editor.Mesh().Origin(h), { 9999, 9999, 9999 }, false }),
       Rejection::NotRejected);
   }
   EXPECT_EQ(calls, 0);
-  EXPECT_EQ(editor.NumberOfCollapses(), 0);
+  EXPECT_EQ(editor.Totals().Collapses, 0);
   EXPECT_TRUE(SameBytes(SurfaceOf(editor.Mesh()), clean.Surface));
   std::int64_t rejections = 0;
-  for (const std::int64_t count : editor.Rejections())
+  for (const std::int64_t count : editor.Totals().Rejections)
   {
     rejections += count;
   }
   EXPECT_EQ(rejections, 3 * editor.Mesh().NumberOfFaceSlots());
-  EXPECT_EQ(editor.Rejections()[static_cast<std::size_t>(Rejection::NotRejected)], 0);
+  EXPECT_EQ(editor.Totals().Rejections[static_cast<std::size_t>(Rejection::NotRejected)], 0);
 }
 
 TEST(Editor, AnEditCanBeAppliedWithoutValidationFirst)
@@ -213,11 +214,11 @@ TEST(Editor, AnEditCanBeAppliedWithoutValidationFirst)
       mesh.Constraint(mesh.Target(h)) == VertexConstraint::Free)
     {
       const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
-      EXPECT_EQ(editor.Collapse({ h, mesh.Target(h), middle, false }), Rejection::NotRejected);
+      EXPECT_EQ(TryAlone(editor, { h, mesh.Target(h), middle, false }), Rejection::NotRejected);
       break;
     }
   }
-  EXPECT_EQ(editor.NumberOfCollapses(), 1);
+  EXPECT_EQ(editor.Totals().Collapses, 1);
   EXPECT_EQ(mesh.NumberOfFaces(), 30);
   EXPECT_EQ(BrokenInvariant(mesh), "");
 }

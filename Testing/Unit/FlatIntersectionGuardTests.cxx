@@ -115,8 +115,8 @@ TEST(FlatIntersectionGuard, ATipThatTouchesAPlateDoesNotGoThroughIt)
   const Vector3 tip = editor.Mesh().Position(0);
   ASSERT_EQ(tip + clean.Origin, cone.Points[0]);
   Workspace work;
-  EXPECT_EQ(editor.Move(0, tip + Vector3(0.0, 0.0, 0.1), work, 1), Rejection::Intersection);
-  EXPECT_TRUE(editor.Move(0, tip - Vector3(0.0, 0.0, 0.1), work, 1).IsAccepted());
+  EXPECT_EQ(editor.Try(MoveTo(0, tip + Vector3(0.0, 0.0, 0.1)), work), Rejection::Intersection);
+  EXPECT_TRUE(editor.Try(MoveTo(0, tip - Vector3(0.0, 0.0, 0.1)), work).IsAccepted());
 }
 
 namespace
@@ -175,8 +175,9 @@ TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
     Vector3 p = local[0] + random.InCube(0.5);
     p[2] -= normal.dot(p - local[4]) / normal[2];
     const int side = roof.SideOf(p + clean.Origin);
-    ASSERT_EQ(editor.Move(0, p, work, 1).IsAccepted(), side == roof.SideOf(input.Points[0])) << i;
-    ASSERT_TRUE(editor.Move(0, local[0], work, 1).IsAccepted());
+    ASSERT_EQ(editor.Try(MoveTo(0, p), work).IsAccepted(), side == roof.SideOf(input.Points[0]))
+      << i;
+    ASSERT_TRUE(editor.Try(MoveTo(0, local[0]), work).IsAccepted());
     differ += side != localRoof.SideOf(p) ? 1 : 0;
   }
   EXPECT_GT(differ, 10);
@@ -208,8 +209,8 @@ TEST(FlatIntersectionGuard, DecidesForPointsThatNeverMoveAsTheyAreRounded)
     p[2] -= normal.dot(p - input.Points[4]) / normal[2];
     p = RoundedToSingle(p);
     const int side = asWritten.SideOf(p);
-    ASSERT_EQ(editor.Move(0, p - clean.Origin, work, 1).IsAccepted(), side == below) << i;
-    ASSERT_TRUE(editor.Move(0, clean.Surface.Points[0], work, 1).IsAccepted());
+    ASSERT_EQ(editor.Try(MoveTo(0, p - clean.Origin), work).IsAccepted(), side == below) << i;
+    ASSERT_TRUE(editor.Try(MoveTo(0, clean.Surface.Points[0]), work).IsAccepted());
     differ += side != ofInput.SideOf(p) ? 1 : 0;
   }
   EXPECT_GT(differ, 100);
@@ -227,6 +228,6 @@ TEST(FlatIntersectionGuard, APairThatIntersectsAllowsNoOtherOne)
   Editor editor(clean, GuardingNoGaps());
   Workspace work;
   const Vector3 tip = editor.Mesh().Position(0);
-  EXPECT_EQ(editor.Move(0, tip + Vector3(0.0, 0.0, 1.0), work, 1), Rejection::Intersection);
-  EXPECT_TRUE(editor.Move(0, tip + Vector3(0.0, 0.0, 0.9), work, 1).IsAccepted());
+  EXPECT_EQ(editor.Try(MoveTo(0, tip + Vector3(0.0, 0.0, 1.0)), work), Rejection::Intersection);
+  EXPECT_TRUE(editor.Try(MoveTo(0, tip + Vector3(0.0, 0.0, 0.9)), work).IsAccepted());
 }

@@ -32,7 +32,7 @@ void ForEachFound(Bench& bench, double farthest, const Use& use)
   Workspace work;
   for (const SlackCandidate& candidate : candidates)
   {
-    if (candidate.Ratio > 1.0 && bench.MeshEditor.Validate(candidate.Edge, work).IsAccepted())
+    if (candidate.Ratio > 1.0 && bench.MeshEditor.Gather(candidate.Edge, work).IsAccepted())
     {
       const PatchFit::Result found = patch.Fit(work.Around, candidate);
       if (found.IsWithin && !found.Nearby.Moves.empty() && !use(candidate, found))
@@ -62,8 +62,7 @@ TEST(CollapseAndMove, IsProvedAsAWhole)
     {
       Workspace work;
       const Index faces = bench.Mesh().NumberOfFaces();
-      if (bench.MeshEditor.CollapseAndMove(EditOf(candidate, found.Position), found.Nearby, work)
-            .IsAccepted())
+      if (bench.MeshEditor.Try(EditOf(candidate, found.Position), found.Nearby, work).IsAccepted())
       {
         EXPECT_EQ(bench.Mesh().NumberOfFaces(), faces - 2);
         EXPECT_EQ(BrokenInvariant(bench.Mesh()), "");
@@ -87,9 +86,9 @@ TEST(CollapseAndMove, LeavesEveryByteIfItIsRejected)
       NearbyEdits tooFar = found.Nearby;
       tooFar.Moves.back().Position *= 1.05; // more than the limit away
       const Decision farMove =
-        bench.MeshEditor.CollapseAndMove(EditOf(candidate, found.Position), tooFar, work);
+        bench.MeshEditor.Try(EditOf(candidate, found.Position), tooFar, work);
       const Decision withoutMoves =
-        bench.MeshEditor.CollapseAndMove(EditOf(candidate, candidate.Position), {}, work);
+        bench.MeshEditor.Try(EditOf(candidate, candidate.Position), {}, work);
       EXPECT_TRUE(farMove.IsRejected());
       EXPECT_TRUE(withoutMoves.IsRejected());
       ++rejected;
@@ -110,16 +109,16 @@ TEST(CollapseAndMove, NeedsTheFlipsOfThePatch)
       Workspace work;
       const Edit edit = EditOf(candidate, found.Position);
       if (found.Nearby.Flips.empty() ||
-        bench.MeshEditor.CollapseAndMove(edit, { found.Nearby.Moves, {} }, work).IsAccepted())
+        bench.MeshEditor.Try(edit, { found.Nearby.Moves, {} }, work).IsAccepted())
       {
         return StateOf(bench.Mesh()) == before;
       }
       EXPECT_EQ(StateOf(bench.Mesh()), before);
       NearbyEdits impossible = found.Nearby;
       impossible.Flips.push_back({ candidate.Start, candidate.End });
-      EXPECT_TRUE(bench.MeshEditor.CollapseAndMove(edit, impossible, work).IsRejected());
+      EXPECT_TRUE(bench.MeshEditor.Try(edit, impossible, work).IsRejected());
       EXPECT_EQ(StateOf(bench.Mesh()), before);
-      if (bench.MeshEditor.CollapseAndMove(edit, found.Nearby, work).IsAccepted())
+      if (bench.MeshEditor.Try(edit, found.Nearby, work).IsAccepted())
       {
         EXPECT_EQ(BrokenInvariant(bench.Mesh()), "");
         EXPECT_EQ(bench.Certified(Limit), ProofStatus::Proved);
@@ -156,12 +155,12 @@ TEST(ForcedCollapse, IsOneStepOfTheLog)
   settings.RecordsEdits = true;
   Editor editor(clean, settings);
   BucketSweep(editor, { 0, 0.0 }, 1).Run(Always);
-  const std::int64_t before = editor.NumberOfCollapses();
+  const std::int64_t before = editor.Totals().Collapses;
   SlackRefinement slack(editor, 1);
   ForcedCollapseFigures figures;
   EXPECT_TRUE(slack.Begin(Always) && slack.Force(0, { 1.5, 1 }, Always, figures));
   EXPECT_GT(figures.Made, 0);
-  EXPECT_EQ(editor.NumberOfCollapses(), before + figures.Made);
+  EXPECT_EQ(editor.Totals().Collapses, before + figures.Made);
   EditLog log = editor.TakeLog();
   log.Vertices = editor.Mesh().NumberOfVertexSlots();
   log.Faces = editor.Mesh().NumberOfFaceSlots();

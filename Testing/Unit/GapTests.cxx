@@ -3,6 +3,7 @@
 // Gaps where edits of a draft are undone, and where a gap is read through a duplicate.
 #include "BruteForce.h"
 #include "Crossings.h"
+#include "EditAlone.h"
 #include "GuardedEditor.h"
 #include "Mesh/ManifoldPatches.h"
 #include "Proof/Guard/FaceGrid.h"
@@ -26,10 +27,10 @@ void CollapseAll(Editor& editor)
   const HalfEdgeMesh& mesh = editor.Mesh();
   for (const HalfEdgeId h : HalfEdges(mesh))
   {
-    if (mesh.IsAlive(HalfEdgeMesh::Face(h)) && editor.Validate(h).IsAccepted())
+    if (mesh.IsAlive(HalfEdgeMesh::Face(h)) && GatherAlone(editor, h).IsAccepted())
     {
       const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
-      editor.Collapse({ h, mesh.Origin(h), middle, false });
+      TryAlone(editor, { h, mesh.Origin(h), middle, false });
     }
   }
 }
@@ -98,10 +99,8 @@ TEST(GapsOfADraft, AreCheckedAgainWhereAnUndoneEditHasRestoredAFace)
     const CleanSurface clean = Clean(input, true);
     Editor editor(clean, Guarded(error));
     const int before = CountNarrow(editor, clean, error);
-    ASSERT_TRUE(editor.BeginDraft(1));
-    CollapseAll(editor);
-    ASSERT_TRUE(editor.EndDraft(1, [](double) { return true; }));
-    const DraftFigures figures = editor.DraftReport();
+    ASSERT_TRUE(MakeProvedDraft(editor, [&] { CollapseAll(editor); }));
+    const DraftFigures figures = editor.Totals().Draft;
     undone += figures.Undone;
     ASSERT_GT(figures.Collapses, figures.Undone);
     EXPECT_LE(CountNarrow(editor, clean, error), before) << seed;
@@ -134,21 +133,23 @@ TEST(GapsOfADraft, AreNotAllowedByThoseThatTheDraftHasNarrowed)
     const CleanSurface clean =
       Clean(Together(Moved(Grid(8), Vector3(0.0, 0.0, 1.0)), TurnedInsideOut(Grid(8))), true);
     Editor editor(clean, Guarded(1.0));
-    ASSERT_TRUE(editor.BeginDraft(1));
     const auto collapse = [&](const Vector3& from, const Vector3& to, const Vector3& position)
     {
       const HalfEdgeId edge = EdgeAt(editor, clean, from, to);
       const VertexId keep = editor.Mesh().Target(edge);
-      return editor.Collapse({ edge, keep, position - clean.Origin, false }).IsAccepted();
+      return TryAlone(editor, { edge, keep, position - clean.Origin, false }).IsAccepted();
     };
     const Vector3 below = Vector3(4.0, 4.0, depth);
     const Vector3 above = Vector3(4.0, 4.0, 1.0 - depth);
-    ASSERT_TRUE(collapse(Vector3(3.0, 4.0, 0.0), Vector3(4.0, 4.0, 0.0), below));
-    ASSERT_TRUE(collapse(Vector3(3.0, 4.0, 1.0), Vector3(4.0, 4.0, 1.0), above));
-    ASSERT_TRUE(collapse(Vector3(5.0, 4.0, 1.0), above, above));
-    ASSERT_TRUE(editor.EndDraft(1, [](double) { return true; }));
-    EXPECT_EQ(editor.DraftReport().Collapses, 3);
-    EXPECT_EQ(editor.NumberOfCollapses(), depth < 0.25 ? 3 : 1);
+    const auto collapseAll = [&]
+    {
+      EXPECT_TRUE(collapse(Vector3(3.0, 4.0, 0.0), Vector3(4.0, 4.0, 0.0), below));
+      EXPECT_TRUE(collapse(Vector3(3.0, 4.0, 1.0), Vector3(4.0, 4.0, 1.0), above));
+      EXPECT_TRUE(collapse(Vector3(5.0, 4.0, 1.0), above, above));
+    };
+    ASSERT_TRUE(MakeProvedDraft(editor, collapseAll));
+    EXPECT_EQ(editor.Totals().Draft.Collapses, 3);
+    EXPECT_EQ(editor.Totals().Collapses, depth < 0.25 ? 3 : 1);
   }
 }
 
@@ -159,8 +160,8 @@ bool CheckToTarget(const Editor& editor, HalfEdgeId h, Workspace& space)
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
   const VertexId target = mesh.Target(h);
-  return editor.Validate(h, space).IsAccepted() &&
-    editor.CheckCollapse({ h, target, mesh.Position(target), false }, space, 1).IsAccepted();
+  return editor.Gather(h, space).IsAccepted() &&
+    editor.Check({ h, target, mesh.Position(target), false }, space).IsAccepted();
 }
 
 /// Two grids, the second of long triangles, have the point (8, 4, 0) alone in common. An edit there
@@ -184,7 +185,7 @@ bool IsStillAccepted(bool hasGap)
   EXPECT_TRUE(CheckToTarget(editor, EdgeAt(editor, clean, { 7.0, 4.0, 0.0 }, common), here));
   EXPECT_TRUE(
     CheckToTarget(editor, EdgeAt(editor, clean, { 28.0, 5.1, 0.0 }, { 38.0, 5.1, 0.0 }), there));
-  editor.ApplyCollapse(here);
+  editor.Apply(here);
   return editor.StillAccepts(there);
 }
 }
@@ -216,9 +217,9 @@ bool MayJumpOver(const Surface& speck)
   {
     if (isAt(mesh.Origin(h), roof.Points[0]) && isAt(mesh.Target(h), roof.Points[1]))
     {
-      EXPECT_TRUE(editor.Validate(h).IsAccepted());
+      EXPECT_TRUE(GatherAlone(editor, h).IsAccepted());
       const Vector3 beyond = Vector3(0.1, 0.0, 0.9) - clean.Origin;
-      return editor.Collapse({ h, mesh.Origin(h), beyond, false }).IsAccepted();
+      return TryAlone(editor, { h, mesh.Origin(h), beyond, false }).IsAccepted();
     }
   }
   return false;

@@ -3,6 +3,7 @@
 // Vertices of high valence: work that grows with the triangles and not with their square, and
 // results as small as they should be.
 #include "Decimate/Schedule/BucketSweep.h"
+#include "EditAlone.h"
 #include "Geometry/BoundingTree.h"
 #include "Proof/Certificate/Certificate.h"
 #include "Runs.h"
@@ -97,7 +98,7 @@ std::int64_t ChangedFaces(const Surface& surface, double error)
       faces += changed;
     });
   BucketSweep(editor, { 64, 0.0 }, 1).Run([](double) { return true; });
-  EXPECT_GT(editor.NumberOfCollapses(), 0);
+  EXPECT_GT(editor.Totals().Collapses, 0);
   return faces;
 }
 
@@ -137,7 +138,7 @@ TEST(Hub, NoEdgeOfAHubIsCollapsed)
     for (const Index h : HalfEdges(mesh))
     {
       const bool isAtHub = IsHub(mesh, mesh.Origin(h)) || IsHub(mesh, mesh.Target(h));
-      EXPECT_EQ(editor.Validate(h) == Rejection::Valence, isAtHub);
+      EXPECT_EQ(GatherAlone(editor, h) == Rejection::Valence, isAtHub);
       hubs += isAtHub ? 1 : 0;
     }
     EXPECT_EQ(hubs > 0, isHub);
@@ -156,11 +157,11 @@ TEST(Hub, AHubDoesNotMoveAndNoFlipJoinsTwo)
     const VertexId v = mesh.Origin(h);
     if (IsHub(mesh, v))
     {
-      EXPECT_EQ(editor.Move(v, mesh.Position(v), work, 1).Reason(), Rejection::Valence);
+      EXPECT_EQ(editor.Try(MoveTo(v, mesh.Position(v)), work).Reason(), Rejection::Valence);
     }
     else if (!IsHub(mesh, mesh.Target(h)))
     {
-      EXPECT_EQ(editor.Flip(h, work, 1).Reason(), Rejection::Valence);
+      EXPECT_EQ(editor.Try(FlipOf(h), work).Reason(), Rejection::Valence);
     }
   }
 }

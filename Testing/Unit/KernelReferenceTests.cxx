@@ -191,7 +191,7 @@ TEST_P(KernelReferences, GiveTheBitsOfTheAccumulatedError)
   Workspace work;
   for (const Index edge : HalfEdges(mesh, 3))
   {
-    if (editor.Validate(edge, work) != Rejection::NotRejected)
+    if (editor.Gather(edge, work) != Rejection::NotRejected)
     {
       continue;
     }

@@ -3,6 +3,7 @@
 // Levels compared with the recorded run, with its edits applied one by one, and with runs that stop
 // there.
 #include "Decimate/Edit/Editor.h"
+#include "EditAlone.h"
 #include "LevelRuns.h"
 #include "Mesh/SpatialOrder.h"
 #include "Proof/Measure/SurfaceDistance.h"
@@ -40,7 +41,7 @@ public:
       edit.Keep = next.Kept;
       edit.Position = next.Position;
       edit.KeepStays = next.Position == this->MeshEditor.Mesh().Position(next.Kept);
-      rejected += this->MeshEditor.Collapse(edit).IsAccepted() ? 0 : 1;
+      rejected += TryAlone(this->MeshEditor, edit).IsAccepted() ? 0 : 1;
     }
     return rejected;
   }

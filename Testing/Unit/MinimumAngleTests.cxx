@@ -54,14 +54,14 @@ Decision DecideOn(double heightBefore, double heightAfter, double degrees)
   before.Points = { { 0, 0, 0 }, { 2, 0, 0 }, { 1, heightBefore, 0 } };
   before.Triangles = { { 0, 1, 2 } };
   const HalfEdgeMesh mesh(before);
-  ProposedEdit edit;
-  edit.Change.OldFaces = { 0 };
-  edit.Change.NewFaces = { { 0, { 0, 1, 2 },
+  SurfaceChange change;
+  change.OldFaces = { 0 };
+  change.NewFaces = { { 0, { 0, 1, 2 },
     { before.Points[0], before.Points[1], Vector3(1, heightAfter, 0) } } };
   EditFilter::Pending pending;
   ShapeLimits limits;
   limits.MaxCosine = CosineOfDegrees(degrees);
-  return ShapeFilter(limits, mesh, 1).Screen(mesh, edit, pending);
+  return ShapeFilter(limits, mesh, 1).Screen(mesh, change, pending);
 }
 }
 

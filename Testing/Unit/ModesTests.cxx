@@ -95,7 +95,7 @@ TEST(Stages, DoNothingWhereTheTargetIsReached)
     EXPECT_EQ(
       RunStages({ editor, mode, stops }, [](double) { return true; }), StopReason::AlreadySatisfied)
       << mode.Name;
-    EXPECT_EQ(editor.NumberOfCollapses(), 0) << mode.Name;
+    EXPECT_EQ(editor.Totals().Collapses, 0) << mode.Name;
   }
 }
 

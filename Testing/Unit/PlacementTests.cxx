@@ -210,10 +210,10 @@ std::pair<Rejection, double> CheckAt(
   FanStorage storage;
   Fan& fan = storage.Reserve(static_cast<int>(around.Corners.size()));
   FillFan(bench.Mesh, around, fan);
-  double change = 0.0;
-  const Rejection rejection =
-    CheckPosition(bench.Mesh, around, { around.Edge, around.Start, position, false }, fan, change);
-  return { rejection, change };
+  SurfaceChange change;
+  change.Requested = { around.Edge, around.Start, position, false };
+  const Rejection rejection = CheckPosition(bench.Mesh, around, fan, change);
+  return { rejection, change.VolumeChange };
 }
 }
 

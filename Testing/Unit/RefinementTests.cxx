@@ -47,7 +47,7 @@ public:
     BucketSweep(this->MeshEditor, { this->Original.NumberOfFaces() / divisor, 0.0 }, 1).Run(GoOn);
     this->Back.Begin(this->MeshEditor.Mesh(), 1, GoOn);
     this->Fit.Distribute(this->MeshEditor.Mesh(), this->MeshEditor.CurrentVertices(), 1, GoOn);
-    this->MeshEditor.DistributeVolumeBudget();
+    this->MeshEditor.PrepareCollapses(1);
   }
 
   const HalfEdgeMesh& Mesh() const { return this->MeshEditor.Mesh(); }
@@ -83,7 +83,7 @@ public:
 
   bool CollapseTo(Index faces, int threads = 1)
   {
-    this->MeshEditor.RenewQuadrics(1);
+    this->MeshEditor.PrepareCollapses(1);
     return ErrorCollapse(this->MeshEditor, this->Fit, this->Back, 4, threads).Run(faces, GoOn);
   }
 

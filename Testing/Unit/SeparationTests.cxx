@@ -3,6 +3,7 @@
 // How near a surface comes to itself: against the thickness and the gaps of shapes that are known,
 // and distances by brute force.
 #include "Crossings.h"
+#include "EditAlone.h"
 #include "GuardedEditor.h"
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/Statistics.h"
@@ -155,20 +156,22 @@ TEST(Separation, ADraftMovesLessThanHalfOfThem)
   {
     const CleanSurface clean = Clean(input, true);
     Editor editor(clean, Guarded(error));
-    ASSERT_TRUE(editor.BeginDraft(1));
-    for (const Index h : HalfEdges(editor.Mesh(), 1))
+    const auto collapseAll = [&]
     {
-      const HalfEdgeId edge = h;
-      const HalfEdgeMesh& mesh = editor.Mesh();
-      if (mesh.IsAlive(HalfEdgeMesh::Face(edge)) && editor.Validate(edge).IsAccepted())
+      for (const Index h : HalfEdges(editor.Mesh(), 1))
       {
-        const VertexId from = mesh.Origin(edge);
-        editor.Collapse(
-          { edge, from, 0.5 * (mesh.Position(from) + mesh.Position(mesh.Target(edge))), false });
+        const HalfEdgeId edge = h;
+        const HalfEdgeMesh& mesh = editor.Mesh();
+        if (mesh.IsAlive(HalfEdgeMesh::Face(edge)) && GatherAlone(editor, edge).IsAccepted())
+        {
+          const VertexId from = mesh.Origin(edge);
+          const Vector3 middle = 0.5 * (mesh.Position(from) + mesh.Position(mesh.Target(edge)));
+          TryAlone(editor, { edge, from, middle, false });
+        }
       }
-    }
-    ASSERT_TRUE(editor.EndDraft(1, [](double) { return true; }));
-    EXPECT_GT(editor.NumberOfCollapses(), 20);
+    };
+    ASSERT_TRUE(MakeProvedDraft(editor, collapseAll));
+    EXPECT_GT(editor.Totals().Collapses, 20);
     CertificateOptions options;
     options.Tolerance = error;
     for (const double distance : DistancesOf(clean.Surface, 2.0 * error))

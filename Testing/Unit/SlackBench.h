@@ -35,8 +35,7 @@ struct Bench
     BucketSweep(this->MeshEditor, { 0, 0.0 }, 1).Run(Always);
     this->Back.Begin(this->Mesh(), 1, Always);
     this->Fit.Distribute(this->Mesh(), this->MeshEditor.CurrentVertices(), 1, Always);
-    this->MeshEditor.DistributeVolumeBudget();
-    this->MeshEditor.RenewQuadrics(1);
+    this->MeshEditor.PrepareCollapses(1);
   }
 
   std::vector<float> Limits(double error) const

@@ -64,7 +64,7 @@ TEST(SlackCandidates, RatiosDoNotDependOnTheFacesWhereSamplesWereBefore)
   Workspace work;
   for (const SlackCandidate& candidate : candidates)
   {
-    EXPECT_TRUE(bench.MeshEditor.Validate(candidate.Edge, work).IsAccepted());
+    EXPECT_TRUE(bench.MeshEditor.Gather(candidate.Edge, work).IsAccepted());
     SlackCandidates::Gather(bench.Mesh(), work.Around, slack);
     EXPECT_NEAR(slack.Evaluate(candidate.Position, candidate.Hint).Largest, candidate.Ratio, 1e-6);
   }

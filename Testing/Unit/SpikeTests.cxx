@@ -131,7 +131,7 @@ TEST_P(LeftBehind, IsTheLargestOfBothEndsToTheNewFanAndOfThePositionToTheOldOne)
   Workspace work;
   for (const Index edge : HalfEdges(mesh, 7))
   {
-    if (!editor.Validate(edge, work).IsAccepted())
+    if (!editor.Gather(edge, work).IsAccepted())
     {
       continue;
     }

@@ -116,14 +116,14 @@ TEST(EditValidity, SmallRotationsCannotAccumulate)
 {
   const CleanSurface cleaned = Clean(FlatPlate(6), true);
   Editor editor(cleaned, EditorSettings{ false, false, false });
-  editor.DistributeVolumeBudget();
+  editor.PrepareCollapses(1);
   Workspace work;
   const Swing swing(editor.Mesh());
-  EXPECT_EQ(editor.Move(swing.V, swing.By(30.0), work, 1), Rejection::NotRejected);
-  EXPECT_EQ(editor.Move(swing.V, swing.By(60.0), work, 1), Rejection::NotRejected);
-  EXPECT_EQ(editor.Move(swing.V, swing.By(89.0), work, 1), Rejection::NotRejected);
-  EXPECT_EQ(editor.Move(swing.V, swing.By(91.0), work, 1), Rejection::Flip);
-  EXPECT_EQ(editor.Move(swing.V, swing.By(60.0), work, 1), Rejection::NotRejected)
+  EXPECT_EQ(editor.Try(MoveTo(swing.V, swing.By(30.0)), work), Rejection::NotRejected);
+  EXPECT_EQ(editor.Try(MoveTo(swing.V, swing.By(60.0)), work), Rejection::NotRejected);
+  EXPECT_EQ(editor.Try(MoveTo(swing.V, swing.By(89.0)), work), Rejection::NotRejected);
+  EXPECT_EQ(editor.Try(MoveTo(swing.V, swing.By(91.0)), work), Rejection::Flip);
+  EXPECT_EQ(editor.Try(MoveTo(swing.V, swing.By(60.0)), work), Rejection::NotRejected)
     << "back it may go";
 }
 
@@ -131,13 +131,13 @@ TEST(EditValidity, TriangleThatHasGrownMayTurnFarther)
 {
   const CleanSurface cleaned = Clean(FlatPlate(6), true);
   Editor editor(cleaned, EditorSettings{ false, false, false });
-  editor.DistributeVolumeBudget();
+  editor.PrepareCollapses(1);
   Workspace work;
   const Swing swing(editor.Mesh());
   const FaceId face = HalfEdgeMesh::Face(swing.Edge);
   const Vector3 area = AreaOf(cleaned.Surface.Points, editor.Mesh().Corners(face));
   EXPECT_FALSE(editor.Mesh().IsTurnedOver(face, -area)) << "not changed yet";
-  ASSERT_EQ(editor.Move(swing.V, swing.By(30.0), work, 1), Rejection::NotRejected);
+  ASSERT_EQ(editor.Try(MoveTo(swing.V, swing.By(30.0)), work), Rejection::NotRejected);
   EXPECT_TRUE(editor.Mesh().IsTurnedOver(face, -area));
   EXPECT_TRUE(editor.Mesh().IsTurnedOver(face, -7.9 * area));
   EXPECT_FALSE(editor.Mesh().IsTurnedOver(face, -8.1 * area));

@@ -39,6 +39,34 @@ struct Edit
   std::array<FaceId, 2> Made = {}; ///< The faces that a split makes; the second None on a boundary.
 };
 
+inline Edit FlipOf(HalfEdgeId edge)
+{
+  Edit edit;
+  edit.Edge = edge;
+  edit.Kind = EditKind::Flip;
+  return edit;
+}
+
+/// @param position mm from the local origin
+inline Edit MoveTo(VertexId vertex, const Vector3& position)
+{
+  Edit edit;
+  edit.Keep = vertex;
+  edit.Position = position;
+  edit.Kind = EditKind::Move;
+  return edit;
+}
+
+/// Puts a vertex on the edge.  @param position mm from the local origin
+inline Edit SplitAt(HalfEdgeId edge, const Vector3& position)
+{
+  Edit edit;
+  edit.Edge = edge;
+  edit.Position = position;
+  edit.Kind = EditKind::Split;
+  return edit;
+}
+
 /// The edge between two vertices, which is flipped together with an edit.
 struct EdgeFlip
 {

@@ -83,7 +83,7 @@ std::unique_ptr<Editor> MakeEditor(
   auto editor = std::make_unique<Editor>(std::move(*prepared.Mesh), prepared.Cleaned,
     isAborted ? SettingsOfEditor(task, prepared, isAborted) : settings,
     PartOf(building, 0.75, 1.0));
-  report.Cleaning.ConstrainedPoints = editor->NumberOfConstrainedVertices();
+  report.Cleaning.ConstrainedPoints = editor->Totals().ConstrainedVertices;
   return editor;
 }
 
@@ -120,7 +120,7 @@ void RunModeStages(const RunTask& task, const PreparedInput& prepared, Editor& e
 void SeparatePoints(
   const RunTask& task, const PreparedInput& prepared, Editor& editor, Report& report)
 {
-  if (task.Rounding.Rounds() && task.Effective.MergePoints && editor.HasErrorBound() &&
+  if (task.Rounding.Rounds() && task.Effective.MergePoints && editor.Bound() != nullptr &&
     report.Stop != StopReason::Aborted)
   {
     report.Status = SeparateCoincidentPoints(
@@ -163,9 +163,9 @@ Surface ExtractResult(const RunTask& task, const PreparedInput& prepared, const 
 
 void ReportEdits(const RunTask& task, const PreparedInput& prepared, Editor& editor, Report& report)
 {
-  report.Edits.Collapses = editor.NumberOfCollapses();
-  report.Edits.Rejections = editor.Rejections();
-  report.Edits.Draft = editor.DraftReport();
+  report.Edits.Collapses = editor.Totals().Collapses;
+  report.Edits.Rejections = editor.Totals().Rejections;
+  report.Edits.Draft = editor.Totals().Draft;
   if (task.Inputs.Log != nullptr)
   {
     *task.Inputs.Log =

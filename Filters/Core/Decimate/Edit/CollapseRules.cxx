@@ -94,17 +94,17 @@ void FillFan(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan)
 }
 
 //------------------------------------------------------------------------------
-Rejection CheckPosition(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit,
-  Fan& fan, double& volumeChange)
+Rejection CheckPosition(
+  const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan, SurfaceChange& change)
 {
   const Vector3& origin = mesh.Position(around.Start);
   for (int k = 0; k < 3; ++k)
   {
-    fan.Position[k] = edit.Position[k] - origin[k];
+    fan.Position[k] = change.Requested.Position[k] - origin[k];
   }
   FanValidity found;
   BestKernels().CheckFan(fan, found);
-  volumeChange = found.VolumeChange;
+  change.VolumeChange = found.VolumeChange;
   return found.Degenerate                              ? Rejection::Degenerate
     : found.Flip || IsAnyTurnedOver(mesh, around, fan) ? Rejection::Flip
                                                        : Rejection::NotRejected;

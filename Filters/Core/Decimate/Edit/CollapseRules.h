@@ -10,8 +10,8 @@
 #include "Decimate/Kernels/Kernels.h"
 #include "Figures/Rejection.h"
 #include "Mesh/EdgeNeighborhood.h"
-#include "Mesh/Edit.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "Proof/EditFilters/SurfaceChange.h"
 
 namespace bonedecimate
 {
@@ -29,9 +29,10 @@ void FillFan(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan)
 /// Rejects faces without area, new slivers, and faces that turn by more than 78 degrees, or by more
 /// than 90 degrees from their original normal (HalfEdgeMesh::IsTurnedOver), so that small rotations
 /// cannot accumulate.
-/// @param fan Filled; its position and areas are set here.  @param volumeChange mm^3, returned.
-Rejection CheckPosition(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit,
-  Fan& fan, double& volumeChange);
+/// @param fan Filled; its position and areas are set here.
+/// @param change Gets its volume.
+Rejection CheckPosition(
+  const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan, SurfaceChange& change);
 }
 
 #endif

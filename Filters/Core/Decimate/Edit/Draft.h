@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Draft.h
- * @brief Collapses that are tested cheaply while they are made, and proved together: what an Editor
- * keeps for them.
+ * @brief Collapses that are tested cheaply while they are made, and proved together.
  *
- *     BeginDraft:   DraftFilter in place of the error bound and the intersection guard, and a
+ *     begin:        DraftFilter in place of the error bound and the intersection guard, and a
  *                   journal; limits by the separation
  *     edits
- *     EndDraft:     until nothing is rejected:
+ *     Prove:        until nothing is rejected:
  *                       every face and every original is proved, with these limits      (BulkProof)
  *                       no pair of faces intersects or is too near                     (StateCheck)
  *                       closed fragments keep their volume                          (FragmentGuard)
@@ -26,7 +25,8 @@
 #ifndef BoneDecimate_Core_Decimate_Edit_Draft_h
 #define BoneDecimate_Core_Decimate_Edit_Draft_h
 
-#include "Figures/Rejection.h"
+#include "Base/Monitor.h"
+#include "Editor.h"
 #include "Proof/EditFilters/EditJournal.h"
 #include "Proof/ErrorBound/ErrorLimits.h"
 #include "Proof/Guard/StateCheck.h"
@@ -39,25 +39,42 @@
 
 namespace bonedecimate
 {
-struct Draft
-{
-  Draft(const HalfEdgeMesh& mesh, const ErrorLimits& limits)
-    : Journal(std::make_shared<EditJournal>(mesh))
-    , Limits(limits)
-    , Failures(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0)
-  {
-  }
+class BulkProof;
 
+class Draft
+{
+public:
+  /// Filters of the editor are those of the draft from now on.
+  Draft(Editor& editor, int threads);
+
+  /// Proves the draft and undoes what is not proved. False if the monitor requested a stop; then
+  /// all of it is undone.
+  bool Prove(const Monitor& monitor);
+  /// Undoes all of it.
+  void Undo();
+
+private:
+  ErrorLimits LimitsAtFirst() const;
+  void ExchangeFilters();
+  std::vector<std::vector<Index>> FindEnclosing(const BoundingTree* tree) const;
+  std::vector<Index> FindRejectedEdits(BulkProof& proof);
+  std::vector<char> FindWrongComponents() const;
+  void UndoRejected(const std::vector<Index>& edits);
+  void UndoWithDependents(Index edit);
+  void Finish();
+
+  Editor& Target;
+  int Threads;
+  bool IsOriginal; // whether nothing had been edited before
   std::shared_ptr<EditJournal> Journal;
-  ErrorLimits Limits; ///< Limits of the bound, but below half of the separation.
-  /// For each component, those that enclose it at first; only with a guard.
+  ErrorLimits Limits; // of the bound, but below half of the separation
+  // for each component, those that enclose it at first; only with a guard
   std::vector<std::vector<Index>> Enclosing;
-  std::optional<StateCheck> State;    ///< Only with a guard.
-  std::vector<std::uint8_t> Failures; ///< Number of rejected edits of each vertex.
-  /// Filters of the editor, while the draft has its own.
+  std::optional<StateCheck> State;    // only with a guard
+  std::vector<std::uint8_t> Failures; // of each vertex, rejected edits
   std::vector<std::shared_ptr<EditFilter>> ExactFilters;
-  /// Counts before the draft: its own rejections are not counted.
-  std::array<std::int64_t, NumberOfRejections> Rejections{};
+  // before the draft: its own rejections are not counted
+  std::array<std::int64_t, NumberOfRejections> Rejections;
 };
 }
 

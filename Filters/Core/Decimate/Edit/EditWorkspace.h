@@ -10,7 +10,7 @@
 #include "Decimate/Kernels/Kernels.h"
 #include "Mesh/EdgeNeighborhood.h"
 #include "Proof/EditFilters/EditFilter.h"
-#include "Proof/EditFilters/ProposedEdit.h"
+#include "Proof/EditFilters/SurfaceChange.h"
 
 #include <memory>
 #include <vector>
@@ -33,13 +33,11 @@ private:
 
 struct Workspace
 {
-  EdgeNeighborhood Around; ///< Surroundings of the edge validated last; Edge is None if rejected.
-  FanStorage Faces;        ///< The fan of the edge validated last.
+  EdgeNeighborhood Around; ///< Surroundings of the edge gathered last; Edge is None if rejected.
+  FanStorage Faces;        ///< The fan of the edge gathered last.
+  SurfaceChange Change;    ///< The change that was checked last. The schedule sets who asks for it.
+  double Reach = 0.0;      ///< mm around the faces that an accepted change replaces: what was read.
   Tally Counted;
-  VertexRange Range; ///< What the worker may change.
-  float Rank = 0.0F; ///< The cost of the next collapse, for the log: see EditRecorder.h.
-  double AccumulatedError = 0.0; ///< mm, of the next collapse, estimated: see DraftFilter.h.
-  ProposedEdit Proposed;         ///< The edit that the filters see.
   /// Pending data of each filter; made for the first edit.
   std::vector<std::shared_ptr<EditFilter::Pending>> Pending;
 };

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editor.h"
 
-#include "Draft.h"
-#include "Geometry/TriangleGeometry.h"
 #include "Mesh/ManifoldPatches.h"
 #include "Proof/EditFilters/NeighborFilter.h"
 #include "Proof/EditFilters/ShapeFilter.h"
@@ -13,6 +11,7 @@
 #include "RingQuadrics.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -65,7 +64,7 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
   const std::vector<char> others = this->NearUnproved(settings.IsConstrained);
   if (!(settings.Tolerances.empty() && others.empty()) && goesOn())
   {
-    this->ConstrainedVertices = this->ConstrainVertices(settings.Tolerances, others);
+    this->Total.ConstrainedVertices = this->ConstrainVertices(settings.Tolerances, others);
   }
   if (settings.CollapsesFeatureCurves && goesOn())
   {
@@ -136,12 +135,12 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   {
     this->AddRecorder();
   }
-  if (this->Bound)
+  if (this->BoundFilter)
   {
-    this->DraftFound.Status = settings.RecordsEdits ? DraftStatus::EditsAreRecorded
-      : settings.Requested.ProveEachEdit            ? DraftStatus::EachEditIsProved
-      : settings.MoreFilters.empty()                ? DraftStatus::NotUsed
-                                                    : DraftStatus::MoreFilters;
+    this->Total.Draft.Status = settings.RecordsEdits ? DraftStatus::EditsAreRecorded
+      : settings.Requested.ProveEachEdit             ? DraftStatus::EachEditIsProved
+      : settings.MoreFilters.empty()                 ? DraftStatus::NotUsed
+                                                     : DraftStatus::MoreFilters;
   }
   this->NeedsSurfaceChange = std::any_of(this->Filters.begin(), this->Filters.end(),
     [](const std::shared_ptr<EditFilter>& filter) { return filter->NeedsSurfaceChange(); });
@@ -187,17 +186,17 @@ void Editor::AddErrorBound(const EditorSettings& settings)
   ErrorBoundSettings bound = *settings.Bound;
   if (this->Continued != nullptr)
   {
-    this->Bound = std::make_shared<ErrorBound>(*this->Continued, this->Half, bound);
-    this->Unproved = ProveStart(*this->Bound, *this->Continued, this->Half,
+    this->BoundFilter = std::make_shared<ErrorBound>(*this->Continued, this->Half, bound);
+    this->Unproved = ProveStart(*this->BoundFilter, *this->Continued, this->Half,
       settings.EditZone ? &*settings.EditZone : nullptr, settings.Threads);
   }
   else
   {
     bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
-    this->Bound =
+    this->BoundFilter =
       std::make_shared<ErrorBound>(this->BoundedMesh(), this->Source.Tree(settings.Threads), bound);
   }
-  this->Filters.push_back(this->Bound);
+  this->Filters.push_back(this->BoundFilter);
 }
 
 //------------------------------------------------------------------------------
@@ -207,7 +206,7 @@ Index Editor::ConstrainVertices(
   const auto isConstrained = [&](VertexId v)
   {
     const bool isLimited = !tolerances.empty() &&
-      (this->Bound ? !(this->Bound->LimitAt(v) > 0.0) : tolerances[v] == 0.0);
+      (this->BoundFilter ? !(this->BoundFilter->LimitAt(v) > 0.0) : tolerances[v] == 0.0);
     return isLimited || (!others.empty() && others[v] != 0);
   };
   for (FaceId face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
@@ -228,93 +227,8 @@ Index Editor::ConstrainVertices(
 }
 
 //------------------------------------------------------------------------------
-/// To where the point will be when it has been written; only then the error bound can be proved.
-Vector3 Editor::Rounded(const Vector3& position) const
-{
-  return this->Bound ? this->Bound->Rounded(position) : position;
-}
-
-//------------------------------------------------------------------------------
-/// Without its surface change.
-ProposedEdit& Editor::Propose(
-  const Edit& edit, VertexId vertex, double volumeChange, Workspace& work, int workers) const
-{
-  ProposedEdit& proposed = work.Proposed;
-  proposed.Requested = edit;
-  proposed.Vertex = vertex;
-  proposed.VolumeChange = volumeChange;
-  proposed.Range = work.Range;
-  proposed.Workers = workers;
-  proposed.Unsettled = &work.Counted.Volumes;
-  return proposed;
-}
-
-//------------------------------------------------------------------------------
-Decision Editor::RunFilters(Workspace& work) const
-{
-  if (work.Pending.empty())
-  {
-    for (const std::shared_ptr<EditFilter>& filter : this->Filters)
-    {
-      work.Pending.push_back(filter->MakePending());
-    }
-  }
-  Decision decision = Decision::Accept();
-  for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
-  {
-    decision = this->Filters[i]->Screen(this->Half, work.Proposed, *work.Pending[i]);
-  }
-  for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
-  {
-    decision = this->Filters[i]->Check(this->Half, work.Proposed, *work.Pending[i]);
-  }
-  return decision;
-}
-
-//------------------------------------------------------------------------------
-/// Commits the edit that all filters accepted and that has been applied to the mesh.
-void Editor::Commit(Workspace& work)
-{
-  for (std::size_t i = 0; i < this->Filters.size(); ++i)
-  {
-    this->Filters[i]->Commit(this->Half, work.Proposed, *work.Pending[i], work.Counted);
-  }
-}
-
-//------------------------------------------------------------------------------
-void Editor::KeepFirstNormal(FaceId face)
-{
-  const Triangle c = this->Half.Corners(face);
-  this->Half.KeepFirstNormal(face,
-    AreaVector(this->Half.Position(c[0]), this->Half.Position(c[1]), this->Half.Position(c[2])));
-}
-
-//------------------------------------------------------------------------------
-std::vector<float> Editor::Limits() const
-{
-  std::vector<float> limits;
-  for (VertexId v = 0; v < this->BoundedMesh().NumberOfVertexSlots(); ++v)
-  {
-    limits.push_back(static_cast<float>(this->LimitAt(v)));
-  }
-  return limits;
-}
-
-//------------------------------------------------------------------------------
-void Editor::Settle(Tally& tally)
-{
-  this->SettleAll(&tally, 1);
-}
-
-//------------------------------------------------------------------------------
-void Editor::Settle(std::vector<Tally>& tallies)
-{
-  this->SettleAll(tallies.data(), tallies.size());
-}
-
-//------------------------------------------------------------------------------
 /// Lists in a tally keep their memory.
-void Editor::SettleAll(Tally* tallies, std::size_t count)
+void Editor::Settle(Tally* tallies, std::size_t count)
 {
   for (const std::shared_ptr<EditFilter>& filter : this->Filters)
   {
@@ -323,10 +237,10 @@ void Editor::SettleAll(Tally* tallies, std::size_t count)
   for (Tally* tally = tallies; tally != tallies + count; ++tally)
   {
     this->Half.CountRemovedFaces(tally->RemovedFaces);
-    this->Edits += tally->Edits;
+    this->Total.Collapses += tally->Edits;
     for (std::size_t i = 0; i < NumberOfRejections; ++i)
     {
-      this->RejectionCounts[i] += tally->Rejections[i];
+      this->Total.Rejections[i] += tally->Rejections[i];
     }
     tally->Rejections.fill(0);
     tally->Edits = 0;
@@ -335,20 +249,35 @@ void Editor::SettleAll(Tally* tallies, std::size_t count)
 }
 
 //------------------------------------------------------------------------------
-void Editor::BeginFlipsAndMoves()
+bool Editor::FlipAndMove(const std::function<bool()>& edits, Workspace* work)
 {
-  if (this->Recorder)
+  const bool isOuter = !std::exchange(this->IsInPass, true);
+  const bool isLogged = this->Recorder && isOuter;
+  if (isLogged)
   {
     this->Recorder->BeginPatch(this->Half);
   }
+  this->Fragments->DistributeBudget(this->Half);
+  const bool goesOn = edits();
+  if (work != nullptr)
+  {
+    this->Settle(&work->Counted);
+  }
+  if (isLogged)
+  {
+    this->Recorder->EndPatch(this->Half);
+  }
+  this->IsInPass = !isOuter;
+  return goesOn;
 }
 
 //------------------------------------------------------------------------------
-void Editor::EndFlipsAndMoves()
+void Editor::PrepareCollapses(int threads)
 {
-  if (this->Recorder)
+  this->Fragments->DistributeBudget(this->Half);
+  if (this->KeepsQuadrics)
   {
-    this->Recorder->EndPatch(this->Half);
+    SumRingQuadrics(this->Half, threads);
   }
 }
 }

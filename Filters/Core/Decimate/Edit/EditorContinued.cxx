@@ -45,8 +45,8 @@ std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
     }
     for (const Index corner : this->Continued->Mesh.Corners(triangle))
     {
-      const double reach =
-        (this->Continued->Mesh.Position(corner) - middle).norm() + this->LimitAt(corner);
+      const double reach = (this->Continued->Mesh.Position(corner) - middle).norm() +
+        this->BoundFilter->LimitAt(corner);
       squaredReach = std::max(squaredReach, reach * reach);
     }
     this->Source.Tree().VisitNear(middle, squaredReach,

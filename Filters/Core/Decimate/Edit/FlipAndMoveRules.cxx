@@ -98,8 +98,9 @@ bool KeepsShape(const std::array<Vector3, 4>& corners)
 }
 
 //------------------------------------------------------------------------------
-Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeChange)
+Rejection CheckFlip(const HalfEdgeMesh& mesh, SurfaceChange& change)
 {
+  const HalfEdgeId edge = change.Requested.Edge;
   if (mesh.Twin(edge) == None)
   {
     return Rejection::Boundary;
@@ -129,14 +130,15 @@ Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeCha
       return Rejection::Flip;
     }
   }
-  volumeChange = Dot(b - a, (c - a).cross(d - a)) / 6.0;
+  change.VolumeChange = Dot(b - a, (c - a).cross(d - a)) / 6.0;
   return Rejection::NotRejected;
 }
 
 //------------------------------------------------------------------------------
-Rejection CheckMove(
-  const HalfEdgeMesh& mesh, VertexId vertex, const Vector3& position, double& volumeChange)
+Rejection CheckMove(const HalfEdgeMesh& mesh, SurfaceChange& change)
 {
+  const VertexId vertex = change.Requested.Keep;
+  const Vector3& position = change.Requested.Position;
   if (mesh.IsConstrained(vertex) || mesh.IsStationary(vertex))
   {
     return mesh.IsConstrained(vertex) ? RejectionOfConstrained(mesh.Constraint(vertex))
@@ -163,7 +165,7 @@ Rejection CheckMove(
     }
     ring += before.Vector;
   }
-  volumeChange = Dot(ring, position - mesh.Position(vertex)) / 3.0;
+  change.VolumeChange = Dot(ring, position - mesh.Position(vertex)) / 3.0;
   return Rejection::NotRejected;
 }
 
@@ -182,12 +184,12 @@ Rejection CheckNewFace(const HalfEdgeMesh& mesh, FaceId old, const std::array<Ve
 }
 
 //------------------------------------------------------------------------------
-Rejection CheckNewFaces(const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange)
+Rejection CheckNewFaces(const HalfEdgeMesh& mesh, SurfaceChange& change)
 {
-  const Vector3 origin = change.Position;
+  const Vector3 origin = change.Requested.Position;
   const auto volume = [&origin](const Vector3& a, const Vector3& b, const Vector3& c)
   { return Dot(a - origin, (b - origin).cross(c - origin)) / 6.0; };
-  volumeChange = 0.0;
+  double volumeChange = 0.0; // mm^3
   for (const Index old : change.OldFaces)
   {
     const Triangle v = mesh.Corners(old);
@@ -203,6 +205,7 @@ Rejection CheckNewFaces(const HalfEdgeMesh& mesh, const SurfaceChange& change, d
     const auto& [a, b, c] = face.Corners;
     volumeChange += volume(a, b, c);
   }
+  change.VolumeChange = volumeChange;
   return Rejection::NotRejected;
 }
 }

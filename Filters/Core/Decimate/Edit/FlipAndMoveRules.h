@@ -29,16 +29,14 @@ Rejection CheckFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>
 /// Whether no face of a flip turns too far or becomes a worse needle.
 bool KeepsShape(const std::array<Vector3, 4>& corners);
 
-/// @param volumeChange mm^3, returned if it is allowed.
-Rejection CheckFlip(const HalfEdgeMesh& mesh, HalfEdgeId edge, double& volumeChange);
-Rejection CheckMove(
-  const HalfEdgeMesh& mesh, VertexId vertex, const Vector3& position, double& volumeChange);
+/// @param change Gets its volume if it is allowed, as from the rules below.
+Rejection CheckFlip(const HalfEdgeMesh& mesh, SurfaceChange& change);
+Rejection CheckMove(const HalfEdgeMesh& mesh, SurfaceChange& change);
 /// The rules of a move for a new face against the one that it replaces.
 Rejection CheckNewFace(const HalfEdgeMesh& mesh, FaceId old, const std::array<Vector3, 3>& corners);
 /// Checks a collapse together with moves and flips, or a split, by the rules of a move: each new
 /// face against the face that it replaces.
-Rejection CheckNewFaces(
-  const HalfEdgeMesh& mesh, const SurfaceChange& change, double& volumeChange);
+Rejection CheckNewFaces(const HalfEdgeMesh& mesh, SurfaceChange& change);
 }
 
 #endif

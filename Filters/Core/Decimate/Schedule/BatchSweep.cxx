@@ -126,8 +126,8 @@ bool BatchSweep::ReserveRing(VertexId vertex)
 /// Called at the same time for all candidates of a batch.
 void BatchSweep::SearchAt(Candidate& candidate) const
 {
-  candidate.Space.Rank = candidate.At.Highest;
-  candidate.Space.Range = this->Task.Vertices;
+  candidate.Space.Change.Rank = candidate.At.Highest;
+  candidate.Space.Change.Range = this->Task.Vertices;
   candidate.Edges.Gather(
     this->MeshEditor.Mesh(), this->Known, candidate.At.Vertex, this->Task.Vertices);
   candidate.Edges.Evaluate(this->Evaluate);
@@ -146,7 +146,7 @@ void BatchSweep::FindBox(Candidate& candidate) const
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const EdgeNeighborhood& around = candidate.Space.Around;
   Box& box = candidate.Changes;
-  box.Low = box.High = candidate.Space.Proposed.Requested.Position;
+  box.Low = box.High = candidate.Space.Change.Requested.Position;
   const auto add = [&](VertexId v)
   {
     box.Low = box.Low.cwiseMin(mesh.Position(v));
@@ -155,7 +155,6 @@ void BatchSweep::FindBox(Candidate& candidate) const
   add(around.Start);
   add(around.End);
   std::for_each(around.Ring.begin(), around.Ring.end(), add);
-  candidate.Reach = this->MeshEditor.Reach(candidate.Space);
 }
 
 //------------------------------------------------------------------------------
@@ -165,8 +164,8 @@ bool BatchSweep::IsUpToDate(Candidate& candidate) const
   const Box& own = candidate.Changes;
   const auto isApart = [&](const Box& other)
   {
-    return (other.Low - own.High).maxCoeff() > candidate.Reach ||
-      (own.Low - other.High).maxCoeff() > candidate.Reach;
+    return (other.Low - own.High).maxCoeff() > candidate.Space.Reach ||
+      (own.Low - other.High).maxCoeff() > candidate.Space.Reach;
   };
   return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&
     this->MeshEditor.StillAccepts(candidate.Space);
@@ -190,16 +189,16 @@ bool BatchSweep::Commit(Candidate& candidate)
   {
     this->Lists.Reject(candidate.At.Vertex, candidate.Found.Bucket, candidate.Found.IsLasting);
   }
-  this->MeshEditor.Settle(candidate.Space.Counted);
+  this->MeshEditor.Settle(&candidate.Space.Counted);
   return isCollapsed;
 }
 
 //------------------------------------------------------------------------------
 void BatchSweep::Collapse(Candidate& candidate)
 {
-  const Edit edit = candidate.Space.Proposed.Requested;
+  const Edit edit = candidate.Space.Change.Requested;
   const VertexId gone = this->MeshEditor.Mesh().Across(edit.Edge, edit.Keep);
-  this->MeshEditor.ApplyCollapse(candidate.Space);
+  this->MeshEditor.Apply(candidate.Space);
   this->Lists.Update(edit, gone, candidate.Found.AccumulatedError, candidate.Space.Around);
   this->Changed.push_back(candidate.Changes);
 }

@@ -66,8 +66,7 @@ private:
     VertexEdges Edges;
     Workspace Space;
     CollapseSearch::Result Found;
-    Box Changes;        ///< Box of the faces that an accepted collapse changes.
-    double Reach = 0.0; ///< mm, around it: what the search read.
+    Box Changes; ///< Box of the faces that an accepted collapse changes.
   };
 
   void FillBatch();

@@ -80,9 +80,9 @@ bool BlockSweep::CollapseAt(VertexEdges& edges, CostBucket highest)
   const CollapseSearch::Result found = this->Search.Find(edges, highest, this->Task, this->Space);
   if (found.Of == CollapseSearch::Outcome::Accepted)
   {
-    const Edit edit = this->Space.Proposed.Requested;
+    const Edit edit = this->Space.Change.Requested;
     const VertexId gone = this->MeshEditor.Mesh().Across(edit.Edge, edit.Keep);
-    this->MeshEditor.ApplyCollapse(this->Space);
+    this->MeshEditor.Apply(this->Space);
     this->ForgetChanged();
     this->Lists.Update(edit, gone, found.AccumulatedError, this->Space.Around);
   }

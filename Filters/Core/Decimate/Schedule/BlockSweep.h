@@ -82,7 +82,8 @@ template <typename GoOn, typename Pulse>
 void BlockSweep::Run(const BlockTask& task, const GoOn& goOn, const Pulse& pulse)
 {
   this->Task = task;
-  this->Space.Range = task.Vertices;
+  this->Space.Change.Range = task.Vertices;
+  this->Space.Change.Workers = task.Workers;
   this->Lists.Fill(task);
   Index left = task.Collapses;
   while (left > 0)
@@ -93,7 +94,7 @@ void BlockSweep::Run(const BlockTask& task, const GoOn& goOn, const Pulse& pulse
       break;
     }
     this->Cursors.fill(None);
-    this->Space.Rank = highest;
+    this->Space.Change.Rank = highest;
     for (std::size_t i = 0; i < this->Ready.size() && left > 0; ++i)
     {
       if (!pulse())

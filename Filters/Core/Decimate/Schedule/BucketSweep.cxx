@@ -39,7 +39,7 @@ BucketSweep::BucketSweep(Editor& editor, const StopTargets& stops, int threads,
   , Threads(editor.HasHook() ? 1 : threads)
   , FacesAtFirst(editor.Mesh().NumberOfFaces())
   , PositionsTried(
-      editor.HasErrorBound() ? settings.PositionsTried : settings.PositionsTriedForVoxels)
+      editor.Bound() != nullptr ? settings.PositionsTried : settings.PositionsTriedForVoxels)
   , Evaluate(policies)
 {
   const std::size_t count = static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots());
@@ -48,7 +48,7 @@ BucketSweep::BucketSweep(Editor& editor, const StopTargets& stops, int threads,
   const double length = editor.Mesh().LengthAtFirst() / editor.Mesh().Unit();
   this->Known.CostFactor = CostNormalization(length);
   // A proved bound needs no penalty.
-  this->Known.SpikeFactor = editor.HasErrorBound()
+  this->Known.SpikeFactor = editor.Bound() != nullptr
     ? 0.0
     : SpikeFactor(settings.SpikeWeight, this->FacesAtFirst, length, this->Known.CostFactor);
 }
@@ -63,11 +63,11 @@ StopReason BucketSweep::Run(const Monitor& monitor)
   std::int64_t editsWhenRenewed = -1;
   while (!this->End.IsReached())
   {
-    if (this->MeshEditor.NumberOfCollapses() == editsWhenRenewed)
+    if (this->MeshEditor.Totals().Collapses == editsWhenRenewed)
     {
       return StopReason::NothingLeft;
     }
-    editsWhenRenewed = this->MeshEditor.NumberOfCollapses();
+    editsWhenRenewed = this->MeshEditor.Totals().Collapses;
     if (!this->RenewAll(monitor))
     {
       return StopReason::Aborted;
@@ -209,7 +209,7 @@ bool BucketSweep::SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& mon
       counted[i] = std::exchange(block.Counted(), {});
       removed += counted[i].RemovedFaces;
     });
-  this->MeshEditor.Settle(counted);
+  this->MeshEditor.Settle(counted.data(), counted.size());
   return done;
 }
 
@@ -293,7 +293,7 @@ bool BucketSweep::SweepWhole(CostBucket limit, Index faces, bool renewsRing, con
   Index looked = 0;
   const auto goOn = [&]
   {
-    this->MeshEditor.Settle(whole.Counted());
+    this->MeshEditor.Settle(&whole.Counted());
     const bool isTime = ++collapses % CollapsesBetweenWords == 0;
     goesOn = isTime ? this->End.TellNow(monitor) : this->End.Tell(monitor);
     return goesOn && !this->End.IsReached() && this->MeshEditor.Mesh().NumberOfFaces() > faces;
@@ -306,7 +306,7 @@ bool BucketSweep::SweepWhole(CostBucket limit, Index faces, bool renewsRing, con
     return goesOn;
   };
   whole.Run(task, goOn, pulse);
-  this->MeshEditor.Settle(whole.Counted());
+  this->MeshEditor.Settle(&whole.Counted());
   return goesOn;
 }
 }

@@ -80,7 +80,7 @@ CollapseSearch::Trial CollapseSearch::TryEdge(
   {
     return Trial::TooFar;
   }
-  const Decision decision = this->MeshEditor.Validate(candidate.Edge, *this->Space);
+  const Decision decision = this->MeshEditor.Gather(candidate.Edge, *this->Space);
   if (decision.IsRejected())
   {
     return this->Task->TriesAll() ? Trial::TooFar : Trial::TooCostly;
@@ -115,8 +115,8 @@ CollapseSearch::Trial CollapseSearch::TryPositions(const Edit& best, float mostC
       this->IsLasting = false; // the penalty may be below the next bucket
       return Trial::TooCostly;
     }
-    this->Space->AccumulatedError = this->AccumulatedError * mesh.Unit();
-    decision = this->MeshEditor.CheckCollapse(edit, *this->Space, this->Task->Workers);
+    this->Space->Change.AccumulatedError = this->AccumulatedError * mesh.Unit();
+    decision = this->MeshEditor.Check(edit, *this->Space);
     if (decision.IsAccepted())
     {
       return Trial::Accepted;

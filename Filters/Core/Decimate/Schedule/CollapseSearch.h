@@ -59,8 +59,8 @@ public:
   }
 
   /// @param edges The edges of the vertex, evaluated if they are inside; forgotten afterwards.
-  /// @param space Holds an accepted collapse, for Editor::ApplyCollapse. Its Range is that of the
-  ///   task.
+  /// @param space Holds an accepted collapse, for Editor::Apply. Its change has the range and the
+  ///   workers of the task.
   Result Find(VertexEdges& edges, CostBucket highest, const BlockTask& task, Workspace& space);
 
 private:

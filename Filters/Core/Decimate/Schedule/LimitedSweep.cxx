@@ -26,7 +26,8 @@ StopReason BucketSweep::RunProved(const Monitor& monitor)
   {
     if (pass > 1 && facesBefore - mesh.NumberOfFaces() <= facesBefore / MinOfPass)
     {
-      return this->MeshEditor.MetItsLimit() ? StopReason::ErrorReached : StopReason::NothingLeft;
+      return this->MeshEditor.Totals().MetErrorBound() ? StopReason::ErrorReached
+                                                       : StopReason::NothingLeft;
     }
     facesBefore = mesh.NumberOfFaces();
     this->TriesAll = pass > 0;
@@ -35,8 +36,8 @@ StopReason BucketSweep::RunProved(const Monitor& monitor)
       this->Known.NoteAllChanged();
     }
     const bool isDone = this->RenewAll(monitor) &&
-      (this->MeshEditor.HasErrorBound() ? this->PassInBatches(monitor)
-                                        : this->PassInRounds(monitor));
+      (this->MeshEditor.Bound() != nullptr ? this->PassInBatches(monitor)
+                                           : this->PassInRounds(monitor));
     if (!isDone)
     {
       return StopReason::Aborted;
@@ -49,19 +50,15 @@ StopReason BucketSweep::RunProved(const Monitor& monitor)
 /// False if the monitor stopped it: then nothing is left of the draft.
 bool BucketSweep::MakeDraft(const Monitor& monitor)
 {
-  if (this->End.IsReached() || !this->MeshEditor.BeginDraft(this->Threads))
+  const auto collapse = [&]
   {
-    return true;
-  }
-  this->TriesAll = false;
-  this->Known.NoteAllChanged();
-  if (!this->RenewAll(monitor) || !this->PassInRounds(monitor))
-  {
-    this->MeshEditor.UndoDraft(this->Threads);
-    return false;
-  }
-  return this->MeshEditor.EndDraft(
-    this->Threads, [&](double) { return this->End.TellNow(monitor); });
+    this->TriesAll = false;
+    this->Known.NoteAllChanged();
+    return this->RenewAll(monitor) && this->PassInRounds(monitor);
+  };
+  return this->End.IsReached() ||
+    this->MeshEditor.MakeDraft(
+      this->Threads, collapse, [&](double) { return this->End.TellNow(monitor); });
 }
 
 //------------------------------------------------------------------------------

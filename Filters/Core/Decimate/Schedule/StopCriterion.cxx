@@ -58,7 +58,7 @@ bool StopCriterion::IsReached() const
 //------------------------------------------------------------------------------
 StopReason StopCriterion::Reason() const
 {
-  if (this->MeshEditor.NumberOfCollapses() == 0)
+  if (this->MeshEditor.Totals().Collapses == 0)
   {
     return StopReason::AlreadySatisfied;
   }

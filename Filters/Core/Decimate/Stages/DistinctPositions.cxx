@@ -58,7 +58,7 @@ public:
     , Clean(clean)
     , Rounding(rounding)
   {
-    this->Space.Range.Last = editor.Mesh().NumberOfVertexSlots();
+    this->Space.Change.Range.Last = editor.Mesh().NumberOfVertexSlots();
   }
 
   std::vector<Index> Give()
@@ -66,13 +66,14 @@ public:
     std::vector<Index> later = this->FindCoincident();
     if (!later.empty())
     {
-      this->MeshEditor.DistributeVolumeBudget();
-      this->MeshEditor.BeginFlipsAndMoves();
-      later.erase(std::remove_if(
-                    later.begin(), later.end(), [this](VertexId v) { return this->Separate(v); }),
-        later.end());
-      this->MeshEditor.EndFlipsAndMoves();
-      this->MeshEditor.DistributeVolumeBudget();
+      this->MeshEditor.FlipAndMove(
+        [&]
+        {
+          later.erase(std::remove_if(later.begin(), later.end(),
+                        [this](VertexId v) { return this->Separate(v); }),
+            later.end());
+          return true;
+        });
     }
     return later;
   }
@@ -156,7 +157,7 @@ private:
   {
     const Vector3 position = to - this->Clean.Origin;
     return this->Taken.count(this->WrittenAt(v, position)) == 0 &&
-      this->MeshEditor.Move(v, position, this->Space, 1).IsAccepted();
+      this->MeshEditor.Try(MoveTo(v, position), this->Space).IsAccepted();
   }
 
   Editor& MeshEditor;

@@ -130,7 +130,7 @@ bool EdgeFlipper::TryFlip(HalfEdgeId edge)
   {
     return false;
   }
-  if (!this->MeshEditor.Flip(edge, this->Space, this->Workers).IsAccepted())
+  if (!this->MeshEditor.Try(FlipOf(edge), this->Space).IsAccepted())
   {
     return false;
   }

@@ -42,9 +42,9 @@ public:
     , Back(hints)
     , FaceErrors(faceErrors)
     , Weigh(editor.Mesh().Unit(), samples.Spread())
-    , Workers(workers)
   {
-    this->Space.Range = range;
+    this->Space.Change.Range = range;
+    this->Space.Change.Workers = workers;
   }
 
   /// Flips edges at the vertex; returns how many.
@@ -71,7 +71,6 @@ private:
   const BackHints& Back;
   std::vector<float>& FaceErrors;
   ErrorPenalty Weigh;
-  int Workers;
 };
 }
 

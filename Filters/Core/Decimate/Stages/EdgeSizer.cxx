@@ -23,6 +23,7 @@ constexpr std::int64_t MinOfRound = 256;
 EdgeSizer::EdgeSizer(Editor& editor, const ShapeLimits& limits, int threads)
   : MeshEditor(editor)
   , Limits(limits)
+  , Threads(threads)
   , Lengths(limits.Local, editor.Mesh(), threads)
   , Edges(editor, limits.MaxCosine, CosineOfRelaxed)
 {
@@ -56,7 +57,7 @@ bool EdgeSizer::Run(Index faces, const Monitor& monitor)
   for (int i = 0; i < MaxRounds && goesOn && isWorthIt; ++i)
   {
     const auto edits = [this]
-    { return this->MeshEditor.NumberOfCollapses() + this->MeshEditor.NumberOfSplits(); };
+    { return this->MeshEditor.Totals().Collapses + this->MeshEditor.Totals().Splits; };
     const std::int64_t before = edits();
     const Monitor round = PartOf(rounds, static_cast<double>(i) / MaxRounds, (i + 1.0) / MaxRounds);
     goesOn = this->Collapse(faces, PartOf(round, 0.0, collapsedAt)) &&
@@ -71,7 +72,7 @@ bool EdgeSizer::Run(Index faces, const Monitor& monitor)
 bool EdgeSizer::Collapse(Index faces, const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  this->MeshEditor.DistributeVolumeBudget();
+  this->MeshEditor.PrepareCollapses(this->Threads);
   const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, -1.0, this->Limits.ShortestEdge());
   return ForEachOf(edges.size(), monitor,
     [&](std::size_t i)
@@ -89,7 +90,7 @@ bool EdgeSizer::Collapse(Index faces, const Monitor& monitor)
 /// Until none is left that may be split.
 bool EdgeSizer::Split(Index faces, const Monitor& monitor)
 {
-  if (!this->MeshEditor.BeginSplits())
+  if (!this->MeshEditor.PrepareSplits())
   {
     return monitor(1.0);
   }
@@ -133,8 +134,8 @@ bool EdgeSizer::SplitInTheMiddle(HalfEdgeId edge)
   }
   const Vector3 middle =
     0.5 * (mesh.Position(mesh.Origin(edge)) + mesh.Position(mesh.Target(edge)));
-  const bool isSplit = this->MeshEditor.Split(edge, middle, this->Space).IsAccepted();
-  this->MeshEditor.Settle(this->Space.Counted);
+  const bool isSplit = this->MeshEditor.Try(SplitAt(edge, middle), this->Space).IsAccepted();
+  this->MeshEditor.Settle(&this->Space.Counted);
   return isSplit;
 }
 }

@@ -43,6 +43,7 @@ private:
 
   Editor& MeshEditor;
   ShapeLimits Limits;
+  int Threads;
   LocalLengths Lengths;
   ShapeCollapse Edges;
   Workspace Space;

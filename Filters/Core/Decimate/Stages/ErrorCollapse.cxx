@@ -172,7 +172,7 @@ bool ErrorCollapse::CollapseRound(Index size, Index shift, const Monitor& monito
       counted[i] = std::exchange(queue.Counted(), {});
       edges[i] = queue.LeftOver();
     });
-  this->MeshEditor.Settle(counted);
+  this->MeshEditor.Settle(counted.data(), counted.size());
   for (const std::vector<EvaluatedEdge>& rest : edges)
   {
     left.insert(left.end(), rest.begin(), rest.end());
@@ -198,12 +198,12 @@ bool ErrorCollapse::CollapseRest(const Monitor& monitor)
   queue.Run(
     [&](std::int64_t)
     {
-      this->MeshEditor.Settle(queue.Counted());
+      this->MeshEditor.Settle(&queue.Counted());
       const double left = static_cast<double>(this->RemainingCollapses());
       goesOn = ++turn % tellEvery != 0 || monitor(1.0 - left / first);
       return goesOn && left > 0.0;
     });
-  this->MeshEditor.Settle(queue.Counted());
+  this->MeshEditor.Settle(&queue.Counted());
   return goesOn;
 }
 }

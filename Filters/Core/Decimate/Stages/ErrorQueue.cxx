@@ -15,13 +15,14 @@ ErrorQueue::ErrorQueue(Editor& editor, Samples& samples, BackHints& hints, Sampl
   , Block(block)
   , Costs(editor.Mesh(), samples, hints)
 {
-  this->Space.Range = { block.First, block.Last };
+  this->Space.Change.Range = { block.First, block.Last };
+  this->Space.Change.Workers = block.Workers;
 }
 
 //------------------------------------------------------------------------------
 bool ErrorQueue::Evaluate(const RatedEdge& edge, EvaluatedEdge& evaluated)
 {
-  if (!this->MeshEditor.Validate(edge.Edge, this->Space).IsAccepted())
+  if (!this->MeshEditor.Gather(edge.Edge, this->Space).IsAccepted())
   {
     return false;
   }
@@ -71,7 +72,7 @@ void ErrorQueue::Push(const RatedEdge& edge)
 //------------------------------------------------------------------------------
 bool ErrorQueue::Collapse(const EvaluatedEdge& edge)
 {
-  if (!this->MeshEditor.Validate(edge.Edge, this->Space).IsAccepted())
+  if (!this->MeshEditor.Gather(edge.Edge, this->Space).IsAccepted())
   {
     return false;
   }
@@ -87,8 +88,8 @@ bool ErrorQueue::Collapse(const EvaluatedEdge& edge)
   edit.Edge = edge.Edge;
   edit.Keep = around.Start;
   edit.Position = result.Position;
-  this->Space.Rank = static_cast<float>(edge.Cost);
-  const Decision decision = this->MeshEditor.Collapse(edit, this->Space, this->Block.Workers);
+  this->Space.Change.Rank = static_cast<float>(edge.Cost);
+  const Decision decision = this->MeshEditor.Try(edit, this->Space);
   if (!decision.IsAccepted())
   {
     if (decision.IsDeferred())

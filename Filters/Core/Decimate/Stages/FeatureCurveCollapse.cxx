@@ -116,7 +116,12 @@ FeatureCurveCollapse::Result FeatureCurveCollapse::Run(
 void FeatureCurveCollapse::ListCandidates(double bound, Result& result)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const auto limit = [this](Index original) { return this->MeshEditor.LimitAt(original); };
+  const ErrorBound* bounded = this->MeshEditor.Bound();
+  const auto limit = [bounded](Index original)
+  {
+    return bounded != nullptr ? bounded->LimitAt(original)
+                              : std::numeric_limits<double>::infinity();
+  };
   this->Candidates.clear();
   result.IsBound = false;
   for (Index position = 0; position < this->FeatureCurves.NumberOfPositions(); ++position)
@@ -199,6 +204,6 @@ bool FeatureCurveCollapse::CollapseOnto(VertexId gone, VertexId stays, Index fac
   FindEdits(this->MeshEditor.Mesh(), gone, stays, this->Edits);
   const auto removed = static_cast<Index>(this->Edits.size()); // a face each
   return removed > 0 && this->MeshEditor.Mesh().NumberOfFaces() - removed >= faces &&
-    this->MeshEditor.CollapseTogether(this->Edits).IsAccepted();
+    this->MeshEditor.Try(this->Edits).IsAccepted();
 }
 }

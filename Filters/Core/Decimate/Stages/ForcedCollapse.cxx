@@ -52,7 +52,7 @@ bool ForcedCollapse::Run(Index faces, const Monitor& monitor)
         trial.Found.IsWithin && mesh.NumberOfFaces() > faces && this->Apply(trial);
       this->Figures.Made += isMade ? 1 : 0;
     }
-    this->MeshEditor.RenewQuadrics(this->Threads);
+    this->MeshEditor.PrepareCollapses(this->Threads);
   }
   return monitor(1.0);
 }
@@ -106,7 +106,7 @@ std::vector<ForcedCollapse::Trial> ForcedCollapse::Choose()
 bool ForcedCollapse::Gather(const SlackCandidate& candidate, std::vector<Index>& vertices)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  if (!this->MeshEditor.Validate(candidate.Edge, this->Space).IsAccepted())
+  if (!this->MeshEditor.Gather(candidate.Edge, this->Space).IsAccepted())
   {
     return false;
   }
@@ -139,7 +139,7 @@ bool ForcedCollapse::TryAll(std::vector<Trial>& trials, const Monitor& monitor)
     {
       Workspace work;
       PatchFit patch(this->MeshEditor, this->Fit, this->Back, this->Reach.Rings);
-      if (this->MeshEditor.Validate(trials[i].Candidate.Edge, work).IsAccepted())
+      if (this->MeshEditor.Gather(trials[i].Candidate.Edge, work).IsAccepted())
       {
         trials[i].Found = patch.Fit(work.Around, trials[i].Candidate);
       }
@@ -154,7 +154,7 @@ bool ForcedCollapse::Apply(const Trial& trial)
   edit.Edge = trial.Candidate.Edge;
   edit.Keep = trial.Candidate.Start;
   edit.Position = found.Position;
-  if (!this->MeshEditor.CollapseAndMove(edit, found.Nearby, this->Space).IsAccepted())
+  if (!this->MeshEditor.Try(edit, found.Nearby, this->Space).IsAccepted())
   {
     return false;
   }

@@ -65,7 +65,7 @@ Index NumberOfHandles(const Editor& editor)
   }
   VisitHalfEdges(
     mesh, [&](HalfEdgeId h) { euler -= mesh.Twin(h) == None || h < mesh.Twin(h) ? 1 : 0; });
-  return (2 * editor.NumberOfFragments() - NumberOfBoundaryLoops(mesh) - euler) / 2;
+  return (2 * editor.Components().Count() - NumberOfBoundaryLoops(mesh) - euler) / 2;
 }
 }
 
@@ -85,7 +85,7 @@ bool AreHandlesInTheWay(const Editor& editor)
       if (mesh.Twin(h) == None || h < mesh.Twin(h))
       {
         ++edges;
-        loops += editor.Validate(h, work).Reason() == Rejection::LinkCondition ? 1 : 0;
+        loops += editor.Gather(h, work).Reason() == Rejection::LinkCondition ? 1 : 0;
       }
     });
   return 2 * loops >= edges;

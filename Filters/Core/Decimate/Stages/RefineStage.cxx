@@ -34,8 +34,7 @@ bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor
   {
     return monitor(1.0);
   }
-  input.MeshEditor.DistributeVolumeBudget();
-  input.MeshEditor.RenewQuadrics(input.Threads);
+  input.MeshEditor.PrepareCollapses(input.Threads);
   const Monitor last = PartOf(monitor, sweepFrom, 1.0);
   const Monitor still = [&last](double) { return last(0.0); };
   return SweepTo(input, input.Stops.Faces, still) != StopReason::Aborted && refinement.Begin(last);
@@ -156,7 +155,7 @@ bool Refine(const StageInput& input, const Monitor& monitor)
   constexpr double collapsedAt = 0.7;
   const RefineSettings& settings = input.Mode.Refine;
   Refinement refinement(input.MeshEditor, *input.InitialMesh, settings.ShapeWeight, input.Threads);
-  if (input.MeshEditor.HasErrorBound())
+  if (input.MeshEditor.Bound() != nullptr)
   {
     return RefineWithinBound(input, refinement, monitor);
   }

@@ -13,7 +13,7 @@ bool ShapeCollapse::Try(HalfEdgeId edge)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   if (mesh.IsConstrained(mesh.Origin(edge)) || mesh.IsConstrained(mesh.Target(edge)) ||
-    !this->MeshEditor.Validate(edge, this->Space).IsAccepted())
+    !this->MeshEditor.Gather(edge, this->Space).IsAccepted())
   {
     return false;
   }
@@ -27,13 +27,13 @@ bool ShapeCollapse::Try(HalfEdgeId edge)
     [](const Candidate& a, const Candidate& b) { return a.Cosine < b.Cosine; });
   for (const Candidate& candidate : this->Candidates)
   {
-    if (this->MeshEditor.Collapse(candidate.Proposed, this->Space, 1).IsAccepted())
+    if (this->MeshEditor.Try(candidate.Proposed, this->Space).IsAccepted())
     {
-      this->MeshEditor.Settle(this->Space.Counted);
+      this->MeshEditor.Settle(&this->Space.Counted);
       return true;
     }
   }
-  this->MeshEditor.Settle(this->Space.Counted);
+  this->MeshEditor.Settle(&this->Space.Counted);
   return false;
 }
 

@@ -80,15 +80,14 @@ bool ShapeImprover::FlipAndMove(const Monitor& monitor)
 {
   constexpr double flippedAt = 0.3;
   ShapeMover mover(this->MeshEditor, this->MaxCosine);
-  this->MeshEditor.DistributeVolumeBudget();
-  this->MeshEditor.BeginFlipsAndMoves();
-  const bool goesOn = this->ForEachBadFace(PartOf(monitor, 0.0, flippedAt),
-                        [&mover](FaceId face) { mover.FlipAt(face); }) &&
-    this->ForEachBadFace(
-      PartOf(monitor, flippedAt, 1.0), [&mover](FaceId face) { mover.MoveAt(face); });
-  mover.Settle();
-  this->MeshEditor.EndFlipsAndMoves();
-  return goesOn;
+  const auto flipAndMove = [&]
+  {
+    return this->ForEachBadFace(
+             PartOf(monitor, 0.0, flippedAt), [&mover](FaceId face) { mover.FlipAt(face); }) &&
+      this->ForEachBadFace(
+        PartOf(monitor, flippedAt, 1.0), [&mover](FaceId face) { mover.MoveAt(face); });
+  };
+  return this->MeshEditor.FlipAndMove(flipAndMove, &mover.Space());
 }
 
 //------------------------------------------------------------------------------
@@ -97,30 +96,30 @@ bool ShapeImprover::Relax(Editor& editor, const Monitor& monitor)
   constexpr double flippedAt = 0.2;
   const HalfEdgeMesh& mesh = editor.Mesh();
   ShapeMover mover(editor, CosineOfRelaxed);
-  editor.DistributeVolumeBudget();
-  editor.BeginFlipsAndMoves();
-  const bool goesOn =
-    ForEachOf(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), PartOf(monitor, 0.0, flippedAt),
-      [&](std::size_t i)
-      {
-        const FaceId face = static_cast<Index>(i);
-        if (mesh.IsAlive(face) && CosineOfFace(mesh, face) > CosineOfRelaxed)
-        {
-          mover.FlipAt(face);
-        }
-      }) &&
-    ForEachOf(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), PartOf(monitor, flippedAt, 1.0),
-      [&](std::size_t i)
-      {
-        const VertexId vertex = static_cast<Index>(i);
-        if (mesh.Outgoing(vertex) != None)
-        {
-          mover.Move(vertex);
-        }
-      });
-  mover.Settle();
-  editor.EndFlipsAndMoves();
-  return goesOn;
+  const auto flip = [&](std::size_t i)
+  {
+    const FaceId face = static_cast<Index>(i);
+    if (mesh.IsAlive(face) && CosineOfFace(mesh, face) > CosineOfRelaxed)
+    {
+      mover.FlipAt(face);
+    }
+  };
+  const auto move = [&](std::size_t i)
+  {
+    const VertexId vertex = static_cast<Index>(i);
+    if (mesh.Outgoing(vertex) != None)
+    {
+      mover.Move(vertex);
+    }
+  };
+  const auto flipAndMove = [&]
+  {
+    return ForEachOf(static_cast<std::size_t>(mesh.NumberOfFaceSlots()),
+             PartOf(monitor, 0.0, flippedAt), flip) &&
+      ForEachOf(static_cast<std::size_t>(mesh.NumberOfVertexSlots()),
+        PartOf(monitor, flippedAt, 1.0), move);
+  };
+  return editor.FlipAndMove(flipAndMove, &mover.Space());
 }
 
 //------------------------------------------------------------------------------

@@ -32,15 +32,15 @@ public:
   void MoveAt(FaceId face);
   void Move(VertexId vertex);
 
-  /// After the last edit.
-  void Settle() { this->MeshEditor.Settle(this->Space.Counted); }
+  /// For Editor::FlipAndMove.
+  Workspace& Space() { return this->Work; }
 
 private:
   bool TryFlip(HalfEdgeId edge);
 
   Editor& MeshEditor;
   double Enough;
-  Workspace Space;
+  Workspace Work;
   RingShape Ring;
 };
 }

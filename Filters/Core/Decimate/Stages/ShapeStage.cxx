@@ -14,8 +14,7 @@ namespace
 /// a stop.
 bool CollapseOnce(const StageInput& input, const Monitor& monitor)
 {
-  input.MeshEditor.DistributeVolumeBudget();
-  input.MeshEditor.RenewQuadrics(input.Threads);
+  input.MeshEditor.PrepareCollapses(input.Threads);
   return input.HasReachedFaces() ||
     SweepTo(input, input.Stops.Faces, monitor) != StopReason::Aborted;
 }

@@ -91,7 +91,7 @@ bool SlackCandidates::EvaluateEdge(
   const RatedEdge& edge, Evaluator& evaluator, SlackCandidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  if (!this->MeshEditor.Validate(edge.Edge, evaluator.Space).IsAccepted())
+  if (!this->MeshEditor.Gather(edge.Edge, evaluator.Space).IsAccepted())
   {
     return false;
   }

@@ -43,7 +43,7 @@ bool SlackCollapse::Run(Index faces, const Monitor& monitor)
     {
       if (mesh.NumberOfFaces() > faces && this->Collapse(candidate))
       {
-        this->MeshEditor.Settle(this->Space.Counted);
+        this->MeshEditor.Settle(&this->Space.Counted);
       }
     }
   }
@@ -65,7 +65,7 @@ bool SlackCollapse::Collapse(const SlackCandidate& candidate)
   Workspace& work = this->Space;
   if (mesh.Origin(candidate.Edge) != candidate.Start ||
     mesh.Target(candidate.Edge) != candidate.End || this->Touched[candidate.Start] ||
-    this->Touched[candidate.End] || !this->MeshEditor.Validate(candidate.Edge, work).IsAccepted())
+    this->Touched[candidate.End] || !this->MeshEditor.Gather(candidate.Edge, work).IsAccepted())
   {
     return false;
   }
@@ -78,9 +78,9 @@ bool SlackCollapse::Collapse(const SlackCandidate& candidate)
   edit.Edge = candidate.Edge;
   edit.Keep = candidate.Start;
   edit.Position = candidate.Position;
-  work.Rank = static_cast<float>(candidate.Ratio);
+  work.Change.Rank = static_cast<float>(candidate.Ratio);
   SlackCandidates::Gather(mesh, around, this->Slack); // while the faces are there
-  if (!this->MeshEditor.Collapse(edit, work, 1).IsAccepted())
+  if (!this->MeshEditor.Try(edit, work).IsAccepted())
   {
     return false;
   }

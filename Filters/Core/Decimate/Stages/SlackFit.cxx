@@ -139,8 +139,9 @@ bool SlackFit::AddSampleRows(double enough)
 double SlackFit::LimitOver(Index triangle) const
 {
   const Triangle c = this->Back.Original().Corners(triangle);
-  return std::min({ this->MeshEditor.LimitAt(c[0]), this->MeshEditor.LimitAt(c[1]),
-    this->MeshEditor.LimitAt(c[2]), static_cast<double>(this->Fit.MaxLimit()) });
+  const ErrorBound& bound = *this->MeshEditor.Bound();
+  return std::min({ bound.LimitAt(c[0]), bound.LimitAt(c[1]), bound.LimitAt(c[2]),
+    static_cast<double>(this->Fit.MaxLimit()) });
 }
 
 //------------------------------------------------------------------------------

@@ -20,27 +20,32 @@ constexpr Index FacesOfReport = 1024;
 bool SlackFlipper::Run(const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  this->MeshEditor.DistributeVolumeBudget();
   const double count = mesh.NumberOfFaceSlots();
-  for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
+  const auto flip = [&]
   {
-    if (face % FacesOfReport == 0 && !monitor(face / count))
+    bool goesOn = true;
+    for (FaceId face = 0; face < mesh.NumberOfFaceSlots() && goesOn; ++face)
     {
-      return false;
-    }
-    for (Index corner = 0; corner < 3 && mesh.IsAlive(face); ++corner)
-    {
-      const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, corner);
-      const HalfEdgeId twin = mesh.Twin(h);
-      if (twin != None && h < twin && this->Improves(h) &&
-        this->MeshEditor.Flip(h, this->Space, 1).IsAccepted())
+      goesOn = face % FacesOfReport != 0 || monitor(face / count);
+      for (Index corner = 0; corner < 3 && goesOn && mesh.IsAlive(face); ++corner)
       {
-        this->HandOver({ HalfEdgeMesh::Face(h), HalfEdgeMesh::Face(twin) });
+        this->TryFlip(HalfEdgeMesh::HalfEdge(face, corner));
       }
     }
+    return goesOn;
+  };
+  return this->MeshEditor.FlipAndMove(flip, &this->Space) && monitor(1.0);
+}
+
+//------------------------------------------------------------------------------
+void SlackFlipper::TryFlip(HalfEdgeId edge)
+{
+  const HalfEdgeId twin = this->MeshEditor.Mesh().Twin(edge);
+  if (twin != None && edge < twin && this->Improves(edge) &&
+    this->MeshEditor.Try(FlipOf(edge), this->Space).IsAccepted())
+  {
+    this->HandOver({ HalfEdgeMesh::Face(edge), HalfEdgeMesh::Face(twin) });
   }
-  this->MeshEditor.Settle(this->Space.Counted);
-  return monitor(1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,7 @@ public:
 private:
   /// Two faces with the edge from the first to the third corner in common.
   void Gather(const std::array<Vector3, 4>& corners, const std::array<FaceId, 2>& faces);
+  void TryFlip(HalfEdgeId edge);
   bool Improves(HalfEdgeId edge);
   void HandOver(const std::array<FaceId, 2>& faces);
 

@@ -42,7 +42,7 @@ SlackMover::Proposal SlackMover::Shift(VertexId vertex, const Vector3& step)
 //------------------------------------------------------------------------------
 bool SlackMover::Apply(const Proposal& proposal, Workspace& work) const
 {
-  if (!this->MeshEditor.Move(proposal.Vertex, proposal.Position, work, 1).IsAccepted())
+  if (!this->MeshEditor.Try(MoveTo(proposal.Vertex, proposal.Position), work).IsAccepted())
   {
     return false;
   }

@@ -21,7 +21,7 @@ constexpr double FlippedAt = 0.2;
 
 SlackRefinement::SlackRefinement(Editor& editor, int threads)
   : MeshEditor(editor)
-  , Fit(editor.BoundedMesh(), false, editor.Limits())
+  , Fit(editor.BoundedMesh(), false, editor.Bound()->LimitsOfVertices())
   , Back(editor.BoundedMesh(), editor.NearInitial())
   , Threads(editor.HasHook() ? 1 : threads)
 {
@@ -48,33 +48,38 @@ bool SlackRefinement::Settle(const Monitor& monitor)
 //------------------------------------------------------------------------------
 bool SlackRefinement::Sweep(int times, const Monitor& monitor)
 {
-  bool goesOn = true;
-  this->MeshEditor.BeginFlipsAndMoves();
-  for (int i = 0; i < times && goesOn; ++i)
-  {
-    const Monitor sweep = PartOf(monitor, static_cast<double>(i) / times, (i + 1.0) / times);
-    goesOn = this->Settle(PartOf(sweep, 0.0, SettledAt)) &&
-      SlackFlipper(this->MeshEditor, this->Fit, this->Back)
-        .Run(PartOf(sweep, SettledAt, FlippedAt)) &&
-      this->MoveVertices(PartOf(sweep, FlippedAt, 1.0));
-  }
-  this->MeshEditor.EndFlipsAndMoves();
-  return goesOn;
+  return this->MeshEditor.FlipAndMove(
+    [&]
+    {
+      bool goesOn = true;
+      for (int i = 0; i < times && goesOn; ++i)
+      {
+        const Monitor sweep = PartOf(monitor, static_cast<double>(i) / times, (i + 1.0) / times);
+        goesOn = this->Settle(PartOf(sweep, 0.0, SettledAt)) &&
+          SlackFlipper(this->MeshEditor, this->Fit, this->Back)
+            .Run(PartOf(sweep, SettledAt, FlippedAt)) &&
+          this->MoveVertices(PartOf(sweep, FlippedAt, 1.0));
+      }
+      return goesOn;
+    });
 }
 
 //------------------------------------------------------------------------------
 bool SlackRefinement::MoveVertices(const Monitor& monitor)
 {
   this->IsSettled = false;
-  this->MeshEditor.DistributeVolumeBudget();
   const std::vector<std::vector<Index>> colors = this->ColorVertices();
   const double count = static_cast<double>(colors.size());
-  bool goesOn = true;
-  for (std::size_t i = 0; i < colors.size() && goesOn; ++i)
-  {
-    goesOn = this->MoveAll(colors[i], PartOf(monitor, i / count, (i + 1) / count));
-  }
-  return goesOn;
+  return this->MeshEditor.FlipAndMove(
+    [&]
+    {
+      bool goesOn = true;
+      for (std::size_t i = 0; i < colors.size() && goesOn; ++i)
+      {
+        goesOn = this->MoveAll(colors[i], PartOf(monitor, i / count, (i + 1) / count));
+      }
+      return goesOn;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -139,15 +144,14 @@ bool SlackRefinement::MoveAll(const std::vector<Index>& vertices, const Monitor&
       mover.Apply(proposal, work);
     }
   }
-  this->MeshEditor.Settle(work.Counted);
+  this->MeshEditor.Settle(&work.Counted);
   return monitor(1.0);
 }
 
 //------------------------------------------------------------------------------
 bool SlackRefinement::Collapse(Index faces, const Monitor& monitor)
 {
-  this->MeshEditor.DistributeVolumeBudget();
-  this->MeshEditor.RenewQuadrics(this->Threads);
+  this->MeshEditor.PrepareCollapses(this->Threads);
   return this->Settle(PartOf(monitor, 0.0, SettledAt)) &&
     SlackCollapse(this->MeshEditor, this->Fit, this->Back, this->Threads)
       .Run(faces, PartOf(monitor, SettledAt, 1.0));
@@ -157,8 +161,7 @@ bool SlackRefinement::Collapse(Index faces, const Monitor& monitor)
 bool SlackRefinement::Force(
   Index faces, ForcedReach reach, const Monitor& monitor, ForcedCollapseFigures& figures)
 {
-  this->MeshEditor.DistributeVolumeBudget();
-  this->MeshEditor.RenewQuadrics(this->Threads);
+  this->MeshEditor.PrepareCollapses(this->Threads);
   if (!this->Settle(PartOf(monitor, 0.0, SettledAt)))
   {
     return false;
@@ -174,11 +177,7 @@ bool SlackRefinement::Force(
 bool SlackRefinement::RestoreVolume(const Monitor& monitor)
 {
   this->IsSettled = false; // other edits may have come since
-  bool goesOn = this->Settle(PartOf(monitor, 0.0, SettledAt));
-  this->MeshEditor.BeginFlipsAndMoves();
-  goesOn = goesOn &&
+  return this->Settle(PartOf(monitor, 0.0, SettledAt)) &&
     VolumeMover(this->MeshEditor, this->Fit, this->Back).Run(PartOf(monitor, SettledAt, 1.0));
-  this->MeshEditor.EndFlipsAndMoves();
-  return goesOn;
 }
 }

@@ -16,9 +16,9 @@ bool StageInput::HasReachedFaces() const
 StopReason ReasonToStop(const StageInput& input)
 {
   const StopCriterion stop(input.MeshEditor, input.Stops);
-  return stop.IsReached()            ? stop.Reason()
-    : input.MeshEditor.MetItsLimit() ? StopReason::ErrorReached
-                                     : StopReason::NothingLeft;
+  return stop.IsReached()                       ? stop.Reason()
+    : input.MeshEditor.Totals().MetErrorBound() ? StopReason::ErrorReached
+                                                : StopReason::NothingLeft;
 }
 
 //------------------------------------------------------------------------------

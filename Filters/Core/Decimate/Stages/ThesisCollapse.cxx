@@ -62,24 +62,26 @@ bool ThesisCollapse::CollapseAt(VertexId vertex)
   std::sort(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
     [](const CostedEdge& a, const CostedEdge& b)
     { return a.Cost != b.Cost ? a.Cost < b.Cost : a.Edge < b.Edge; });
-  return std::any_of(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
+  const bool isCollapsed = std::any_of(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
     [this](const CostedEdge& candidate) { return this->CollapseEdge(candidate.Edge); });
+  this->MeshEditor.Settle(&this->Space.Counted);
+  return isCollapsed;
 }
 
 //------------------------------------------------------------------------------
 bool ThesisCollapse::CollapseEdge(HalfEdgeId edge)
 {
-  if (!this->MeshEditor.Validate(edge).IsAccepted())
+  if (!this->MeshEditor.Gather(edge, this->Space).IsAccepted())
   {
     return false;
   }
-  const PositionCandidates proposals = this->Policies.Placement(
-    this->MeshEditor.Mesh(), this->MeshEditor.Areas(), this->MeshEditor.Around());
+  const PositionCandidates proposals =
+    this->Policies.Placement(this->MeshEditor.Mesh(), this->MeshEditor.Areas(), this->Space.Around);
   for (std::size_t i = 0; i < proposals.Count; ++i)
   {
     const Edit& edit = proposals.Edits[i];
     const VertexId gone = this->MeshEditor.Mesh().Across(edge, edit.Keep);
-    if (this->MeshEditor.Collapse(edit).IsAccepted())
+    if (this->MeshEditor.Try(edit, this->Space).IsAccepted())
     {
       this->Queue.Remove(gone);
       this->Recost(edit.Keep);

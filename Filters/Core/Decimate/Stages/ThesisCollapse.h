@@ -52,6 +52,7 @@ private:
   };
 
   Editor& MeshEditor;
+  Workspace Space;
   StopCriterion End;
   QueuePolicies Policies;
   std::unique_ptr<VertexCost> Costs;

@@ -35,7 +35,7 @@ bool VertexMover::Improve(VertexId vertex)
   {
     const Vector3 position = mesh.Position(vertex) + step;
     if (this->Lowers(vertex, position) &&
-      this->MeshEditor.Move(vertex, position, this->Space, this->Workers).IsAccepted())
+      this->MeshEditor.Try(MoveTo(vertex, position), this->Space).IsAccepted())
     {
       this->Back.Set(vertex, this->Hint);
       return true;

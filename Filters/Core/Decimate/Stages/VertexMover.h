@@ -35,9 +35,9 @@ public:
     , Fit(samples)
     , Back(hints)
     , Weigh(editor.Mesh().Unit(), samples.Spread())
-    , Workers(workers)
   {
-    this->Space.Range = range;
+    this->Space.Change.Range = range;
+    this->Space.Change.Workers = workers;
   }
 
   /// True if the vertex moved.
@@ -64,7 +64,6 @@ private:
   const Samples& Fit;
   BackHints& Back;
   ErrorPenalty Weigh;
-  int Workers;
   std::vector<RingFace> Ring;
   std::vector<Index> Neighbors;
   FitStep Equations;

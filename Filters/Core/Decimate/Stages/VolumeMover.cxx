@@ -16,7 +16,13 @@ constexpr std::size_t MovesOfReport = 256;
 
 bool VolumeMover::Run(const Monitor& monitor)
 {
-  this->MeshEditor.DistributeVolumeBudget();
+  return this->MeshEditor.FlipAndMove([&] { return this->MoveAll(monitor); }, &this->Space) &&
+    monitor(1.0);
+}
+
+//------------------------------------------------------------------------------
+bool VolumeMover::MoveAll(const Monitor& monitor)
+{
   const std::vector<Height> heights = this->SampledHeights();
   this->MeasureLost(heights);
   std::vector<Candidate> candidates = this->FindCandidates(heights);
@@ -30,8 +36,7 @@ bool VolumeMover::Run(const Monitor& monitor)
     }
     this->MoveAt(candidates[i]);
   }
-  this->MeshEditor.Settle(this->Space.Counted);
-  return monitor(1.0);
+  return true;
 }
 
 //------------------------------------------------------------------------------

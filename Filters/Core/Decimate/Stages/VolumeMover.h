@@ -61,6 +61,7 @@ private:
   void MeasureLost(const std::vector<Height>& heights);
   std::vector<Candidate> FindCandidates(const std::vector<Height>& heights) const;
   Vector3 RingArea(VertexId vertex) const;
+  bool MoveAll(const Monitor& monitor);
   void MoveAt(const Candidate& candidate);
 
   Editor& MeshEditor;

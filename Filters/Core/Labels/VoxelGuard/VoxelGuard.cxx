@@ -130,9 +130,8 @@ bool VoxelGuard::KeepsRim(
 
 //------------------------------------------------------------------------------
 Decision VoxelGuard::Check(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
-  const SurfaceChange& change = edit.Change;
   VoxelPatch& patch = static_cast<Pending&>(pending).Patch;
   patch.Clear();
   for (const Index face : change.OldFaces)

@@ -46,7 +46,7 @@ public:
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }
-  Decision Check(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
 
   /// Whether checking before the error bound saves time: small edits rarely

@@ -27,7 +27,8 @@
 
 #include "Decision.h"
 #include "Mesh/HalfEdgeMesh.h"
-#include "ProposedEdit.h"
+#include "SurfaceChange.h"
+#include "Tally.h"
 
 #include <memory>
 
@@ -49,19 +50,19 @@ public:
   /// Makes the pending data of one worker; called by several threads.
   virtual std::shared_ptr<Pending> MakePending() { return std::make_shared<Pending>(); }
 
-  /// Whether ProposedEdit::Change has to be filled.
+  /// Whether SurfaceChange has to be filled.
   virtual bool NeedsSurfaceChange() const { return false; }
 
   /// What is decided at little cost.  @param mesh Before the edit.
   virtual Decision Screen(
-    const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/, Pending& /*pending*/) const
+    const HalfEdgeMesh& /*mesh*/, const SurfaceChange& /*change*/, Pending& /*pending*/) const
   {
     return Decision::Accept();
   }
 
   /// What Screen does not decide.  @param mesh Before the edit.
   virtual Decision Check(
-    const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/, Pending& /*pending*/) const
+    const HalfEdgeMesh& /*mesh*/, const SurfaceChange& /*change*/, Pending& /*pending*/) const
   {
     return Decision::Accept();
   }
@@ -73,7 +74,7 @@ public:
   /// Whether the edit that was checked last is still accepted after others were committed
   /// that changed no face within Reach.
   virtual bool StillAccepts(
-    const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/, Pending& /*pending*/) const
+    const HalfEdgeMesh& /*mesh*/, const SurfaceChange& /*change*/, Pending& /*pending*/) const
   {
     return true;
   }
@@ -84,7 +85,7 @@ public:
 
   /// Records the edit that all filters accepted.
   /// @param mesh The mesh after the edit.  @param tally Counters of the worker.
-  virtual void Commit(const HalfEdgeMesh& /*mesh*/, const ProposedEdit& /*edit*/,
+  virtual void Commit(const HalfEdgeMesh& /*mesh*/, const SurfaceChange& /*change*/,
     Pending& /*pending*/, Tally& /*tally*/)
   {
   }

@@ -32,10 +32,10 @@ std::shared_ptr<EditFilter::Pending> EditJournal::MakePending()
 
 //------------------------------------------------------------------------------
 Decision EditJournal::Check(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
   Pending& work = static_cast<Pending&>(pending);
-  const Edit& collapse = edit.Requested;
+  const Edit& collapse = change.Requested;
   const HalfEdgeId twin = mesh.Twin(collapse.Edge);
   JournalEntry& entry = work.Entry;
   entry = {};
@@ -56,7 +56,7 @@ Decision EditJournal::Check(
     }
     work.Faces.push_back({ face, mesh.Corners(face) });
   }
-  for (const SurfaceChange::Face& face : edit.Change.NewFaces)
+  for (const SurfaceChange::Face& face : change.NewFaces)
   {
     work.Faces.push_back({ face.Id, mesh.Corners(face.Id) });
   }
@@ -66,7 +66,7 @@ Decision EditJournal::Check(
 
 //------------------------------------------------------------------------------
 void EditJournal::Commit(
-  const HalfEdgeMesh&, const ProposedEdit&, EditFilter::Pending& pending, Tally& tally)
+  const HalfEdgeMesh&, const SurfaceChange&, EditFilter::Pending& pending, Tally& tally)
 {
   const Pending& work = static_cast<const Pending&>(pending);
   tally.Journal.Entries.push_back(work.Entry);

@@ -35,9 +35,9 @@ public:
   /// @param mesh Whose collapses are recorded, before the first of them.
   explicit EditJournal(const HalfEdgeMesh& mesh);
 
-  Decision Check(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
-  void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
+  void Commit(const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending,
     Tally& tally) override;
   void Settle(Tally* tallies, std::size_t count) override;
   std::shared_ptr<EditFilter::Pending> MakePending() override;

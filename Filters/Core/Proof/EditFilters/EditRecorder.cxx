@@ -7,13 +7,13 @@
 
 namespace bonedecimate
 {
-void EditRecorder::Commit(const HalfEdgeMesh&, const ProposedEdit& edit, Pending&, Tally& tally)
+void EditRecorder::Commit(const HalfEdgeMesh&, const SurfaceChange& change, Pending&, Tally& tally)
 {
-  const Edit& collapse = edit.Requested;
+  const Edit& collapse = change.Requested;
   if (collapse.Kind == EditKind::Collapse)
   {
     tally.Log.push_back(
-      { collapse.Position, collapse.Edge, edit.OtherGoneFace, collapse.Keep, edit.Rank });
+      { collapse.Position, collapse.Edge, change.OtherGoneFace, collapse.Keep, change.Rank });
   }
 }
 

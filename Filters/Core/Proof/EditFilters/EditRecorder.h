@@ -24,7 +24,7 @@ class EditRecorder : public EditFilter
 {
 public:
   void Commit(
-    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending, Tally& tally) override;
+    const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& pending, Tally& tally) override;
   void Settle(Tally* tallies, std::size_t count) override;
 
   /// To be called before and after flips and moves.

@@ -97,30 +97,30 @@ void FragmentGuard::DistributeBudget(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-bool FragmentGuard::BudgetAllows(const ProposedEdit& edit) const
+bool FragmentGuard::BudgetAllows(const SurfaceChange& change) const
 {
-  const Volume& volume = this->Volumes[this->OfVertex[edit.Vertex]];
-  const double gain = volume.AtFirst < 0.0 ? -edit.VolumeChange : edit.VolumeChange;
+  const Volume& volume = this->Volumes[this->OfVertex[change.Vertex]];
+  const double gain = volume.AtFirst < 0.0 ? -change.VolumeChange : change.VolumeChange;
   return !volume.IsClosed || volume.AtFirst == 0.0 || gain >= -volume.Budget;
 }
 
 //------------------------------------------------------------------------------
 /// What may still be lost is divided evenly among workers that do not know each other's changes.
-bool FragmentGuard::MayChange(const ProposedEdit& edit, int workers) const
+bool FragmentGuard::MayChange(const SurfaceChange& change, int workers) const
 {
-  const Index component = this->OfVertex[edit.Vertex];
+  const Index component = this->OfVertex[change.Vertex];
   const Volume& volume = this->Volumes[component];
   if (!volume.IsClosed || volume.AtFirst == 0.0)
   {
     return true;
   }
-  const double change = edit.VolumeChange / volume.AtFirst;
-  if (change >= 0.0)
+  const double gain = change.VolumeChange / volume.AtFirst;
+  if (gain >= 0.0)
   {
     return true;
   }
   const double spare = (volume.Now / volume.AtFirst - MinVolumeRatio) / workers;
-  return spare + edit.Unsettled->Of(component) / volume.AtFirst + change >= 0.0;
+  return spare + change.Unsettled->Of(component) / volume.AtFirst + gain >= 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -132,29 +132,30 @@ std::shared_ptr<EditFilter::Pending> FragmentGuard::MakePending()
 //------------------------------------------------------------------------------
 /// Half of what flips and moves may take away is in the budgets of the vertices.
 Decision FragmentGuard::Screen(
-  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending& pending) const
+  const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
-  const bool isCollapse = edit.Requested.Kind == EditKind::Collapse;
-  const bool exceeds = isCollapse || !this->BudgetAllows(edit);
+  const bool isCollapse = change.Requested.Kind == EditKind::Collapse;
+  const bool exceeds = isCollapse || !this->BudgetAllows(change);
   static_cast<Pending&>(pending).ExceedsBudget = exceeds;
-  const int workers = isCollapse ? edit.Workers : 2 * edit.Workers;
-  return exceeds && !this->MayChange(edit, workers) ? Rejection::Fragment : Rejection::NotRejected;
+  const int workers = isCollapse ? change.Workers : 2 * change.Workers;
+  return exceeds && !this->MayChange(change, workers) ? Rejection::Fragment
+                                                      : Rejection::NotRejected;
 }
 
 //------------------------------------------------------------------------------
 bool FragmentGuard::StillAccepts(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
-  return this->Screen(mesh, edit, pending).IsAccepted();
+  return this->Screen(mesh, change, pending).IsAccepted();
 }
 
 //------------------------------------------------------------------------------
 void FragmentGuard::Commit(
-  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending& pending, Tally& tally)
+  const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending& pending, Tally& tally)
 {
   if (static_cast<Pending&>(pending).ExceedsBudget)
   {
-    tally.Volumes.Add(this->OfVertex[edit.Vertex], edit.VolumeChange);
+    tally.Volumes.Add(this->OfVertex[change.Vertex], change.VolumeChange);
   }
 }
 
@@ -163,9 +164,9 @@ void FragmentGuard::Settle(Tally* tallies, std::size_t count)
 {
   for (std::size_t i = 0; i < count; ++i)
   {
-    for (const FragmentVolumes::Change& change : tallies[i].Volumes.Changes())
+    for (const FragmentVolumes::Change& settled : tallies[i].Volumes.Changes())
     {
-      this->Volumes[change.Component].Now += change.Volume;
+      this->Volumes[settled.Component].Now += settled.Volume;
     }
     tallies[i].Volumes.Clear();
   }

@@ -27,12 +27,12 @@ public:
     const HalfEdgeMesh& mesh, const Surface& surface, const std::vector<Index>& originals = {});
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
-  Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  Decision Screen(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
   /// Checks the edit with the volume that the other edits left.
-  bool StillAccepts(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  bool StillAccepts(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
-  void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
+  void Commit(const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending,
     Tally& tally) override;
   void Adopt(VertexId made, VertexId like) override { this->OfVertex[made] = this->OfVertex[like]; }
   void Settle(Tally* tallies, std::size_t count) override;
@@ -70,8 +70,8 @@ private:
     bool IsClosed = true;
   };
   std::vector<double> Measure(const HalfEdgeMesh& mesh) const;
-  bool MayChange(const ProposedEdit& edit, int workers) const;
-  bool BudgetAllows(const ProposedEdit& edit) const;
+  bool MayChange(const SurfaceChange& change, int workers) const;
+  bool BudgetAllows(const SurfaceChange& change) const;
 
   std::vector<Index> OfVertex;
   std::vector<Volume> Volumes;

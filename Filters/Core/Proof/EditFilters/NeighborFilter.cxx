@@ -7,9 +7,9 @@
 namespace bonedecimate
 {
 Decision NeighborFilter::Check(
-  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending&) const
+  const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending&) const
 {
-  const std::vector<SurfaceChange::Face>& faces = edit.Change.NewFaces;
+  const std::vector<SurfaceChange::Face>& faces = change.NewFaces;
   const bool isNear = std::any_of(faces.begin(), faces.end(),
     [this](const SurfaceChange::Face& face)
     { return MayComeNear(*this->Neighbors.Others, face.Corners, this->Neighbors.Distance); });

@@ -26,7 +26,7 @@ public:
   }
 
   bool NeedsSurfaceChange() const override { return true; }
-  Decision Check(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
 
 private:

@@ -37,12 +37,12 @@ bool IsAllowed(
 }
 
 Decision ShapeFilter::Screen(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending&) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending&) const
 {
-  const bool isSplit = edit.Requested.Kind == EditKind::Split;
+  const bool isSplit = change.Requested.Kind == EditKind::Split;
   const bool isAllowed = isSplit ||
-    ((!this->Limits.LimitsAngles() || this->KeepsAngles(mesh, edit.Change)) &&
-      (!this->Limits.LimitsEdges() || this->KeepsLengths(mesh, edit.Change)));
+    ((!this->Limits.LimitsAngles() || this->KeepsAngles(mesh, change)) &&
+      (!this->Limits.LimitsEdges() || this->KeepsLengths(mesh, change)));
   return isAllowed ? Rejection::NotRejected : Rejection::Shape;
 }
 
@@ -94,9 +94,9 @@ double ShapeFilter::SquareOfLongestRatio(const Triangle& vertices, const Corners
 
 //------------------------------------------------------------------------------
 void ShapeFilter::Commit(
-  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending&, Tally&)
+  const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending&, Tally&)
 {
-  for (const SurfaceChange::Face& face : edit.Change.NewFaces)
+  for (const SurfaceChange::Face& face : change.NewFaces)
   {
     for (std::size_t k = 0; k < 3 && this->Limits.Local; ++k)
     {

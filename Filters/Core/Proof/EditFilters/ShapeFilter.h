@@ -32,9 +32,9 @@ public:
 
   bool NeedsSurfaceChange() const override { return true; }
   Decision Screen(
-    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const override;
+    const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& pending) const override;
   void Commit(
-    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending, Tally& tally) override;
+    const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& pending, Tally& tally) override;
 
 private:
   using Corners = std::array<Vector3, 3>;

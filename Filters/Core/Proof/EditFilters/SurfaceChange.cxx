@@ -6,14 +6,31 @@
 
 namespace bonedecimate
 {
-void SurfaceChange::Clear()
+void SurfaceChange::Fill(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around)
 {
+  const Edit& edit = this->Requested;
   this->OldFaces.clear();
   this->NewFaces.clear();
   this->OldBoundary.clear();
   this->NewBoundary.clear();
   this->BoundaryStays = false;
-  this->Moved = None;
+  this->Moved = edit.Kind == EditKind::Flip ? VertexId() : edit.Keep;
+  switch (edit.Kind)
+  {
+    case EditKind::Collapse:
+      this->Ends = { around.Start, around.End };
+      this->AddCollapse(mesh, around, edit);
+      break;
+    case EditKind::Flip:
+      this->FillFlip(mesh);
+      break;
+    case EditKind::Move:
+      this->FillMove(mesh);
+      break;
+    case EditKind::Split:
+      this->FillSplit(mesh);
+      break;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -31,17 +48,6 @@ void SurfaceChange::AddOld(const HalfEdgeMesh& mesh, FaceId face, Index at, Inde
       this->OldBoundary.push_back(h);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-void SurfaceChange::FillCollapse(
-  const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit)
-{
-  this->Clear();
-  this->Ends = { around.Start, around.End };
-  this->Moved = edit.Keep;
-  this->Position = edit.Position;
-  this->AddCollapse(mesh, around, edit);
 }
 
 //------------------------------------------------------------------------------
@@ -123,12 +129,10 @@ void SurfaceChange::AddBoundary(
 }
 
 //------------------------------------------------------------------------------
-void SurfaceChange::FillMove(const HalfEdgeMesh& mesh, const Edit& edit)
+void SurfaceChange::FillMove(const HalfEdgeMesh& mesh)
 {
-  this->Clear();
+  const Edit& edit = this->Requested;
   this->Ends = { edit.Keep, edit.Keep };
-  this->Moved = edit.Keep;
-  this->Position = edit.Position;
   for (const HalfEdgeId h : mesh.OutgoingOf(edit.Keep))
   {
     const FaceId face = HalfEdgeMesh::Face(h);
@@ -151,10 +155,9 @@ void SurfaceChange::FillMove(const HalfEdgeMesh& mesh, const Edit& edit)
 }
 
 //------------------------------------------------------------------------------
-void SurfaceChange::FillFlip(const HalfEdgeMesh& mesh, const Edit& edit)
+void SurfaceChange::FillFlip(const HalfEdgeMesh& mesh)
 {
-  this->Clear();
-  const HalfEdgeId h = edit.Edge;
+  const HalfEdgeId h = this->Requested.Edge;
   const HalfEdgeId twin = mesh.Twin(h);
   const VertexId a = mesh.Origin(h);
   const VertexId b = mesh.Origin(twin);
@@ -201,25 +204,23 @@ void SurfaceChange::SplitFace(
   const VertexId c = mesh.Origin(previous);
   this->AddOld(mesh, face, a, b);
   this->NewFaces.push_back(
-    { face, { a, vertex, c }, { mesh.Position(a), this->Position, mesh.Position(c) } });
-  this->NewFaces.push_back(
-    { made, { vertex, b, c }, { this->Position, mesh.Position(b), mesh.Position(c) }, face });
+    { face, { a, vertex, c }, { mesh.Position(a), this->Requested.Position, mesh.Position(c) } });
+  this->NewFaces.push_back({ made, { vertex, b, c },
+    { this->Requested.Position, mesh.Position(b), mesh.Position(c) }, face });
   this->MoveBoundary(mesh, next, HalfEdgeMesh::HalfEdge(made, 1));
   this->MoveBoundary(mesh, previous, previous);
 }
 
 //------------------------------------------------------------------------------
 /// A boundary edge is the only one of its face.
-void SurfaceChange::FillSplit(const HalfEdgeMesh& mesh, const Edit& edit)
+void SurfaceChange::FillSplit(const HalfEdgeMesh& mesh)
 {
-  this->Clear();
+  const Edit& edit = this->Requested;
   const HalfEdgeId h = edit.Edge;
   const HalfEdgeId twin = mesh.Twin(h);
   const VertexId a = mesh.Origin(h);
   const VertexId b = mesh.Target(h);
   this->Ends = { a, b };
-  this->Moved = edit.Keep;
-  this->Position = edit.Position;
   this->SplitFace(mesh, h, edit.Keep, edit.Made[0]);
   this->BoundaryStays = twin != None;
   if (twin != None)
@@ -229,9 +230,9 @@ void SurfaceChange::FillSplit(const HalfEdgeMesh& mesh, const Edit& edit)
   }
   const VertexId onLine = mesh.IsStationary(a) ? b : a; // at most one of them is stationary
   const VertexId other = mesh.IsStationary(b) ? a : b;
-  this->NewBoundary.push_back(
-    { h, { a, edit.Keep }, { mesh.Position(a), this->Position }, None, { onLine, onLine } });
+  this->NewBoundary.push_back({ h, { a, edit.Keep }, { mesh.Position(a), this->Requested.Position },
+    None, { onLine, onLine } });
   this->NewBoundary.push_back({ HalfEdgeMesh::HalfEdge(edit.Made[0], 0), { edit.Keep, b },
-    { this->Position, mesh.Position(b) }, None, { other, other } });
+    { this->Requested.Position, mesh.Position(b) }, None, { other, other } });
 }
 }

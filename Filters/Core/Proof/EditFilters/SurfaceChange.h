@@ -2,14 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceChange.h
- * @brief An edit as the faces and boundary edges that it removes and those that replace them.
+ * @brief A change of the surface, of any kind of edit: the one argument of rules, filters, proofs,
+ * journal and log.
+ *
+ *     the schedule sets    who asks for it, and what it estimates
+ *     the rules set        the edit, what it means for a component, and its faces: those that it
+ *                          removes and those that replace them
+ *     the filters accept, reject or defer it, and commit it when it has been made
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_SurfaceChange_h
 #define BoneDecimate_Core_Proof_EditFilters_SurfaceChange_h
 
+#include "FragmentVolumes.h"
 #include "Mesh/EdgeNeighborhood.h"
 #include "Mesh/Edit.h"
 #include "Mesh/HalfEdgeMesh.h"
+#include "Mesh/VertexRange.h"
 
 #include <array>
 #include <vector>
@@ -38,6 +46,19 @@ struct SurfaceChange
     std::array<VertexId, 2> OnLine = {};
   };
 
+  VertexRange Range;                          ///< What may be read and written.
+  int Workers = 1;                            ///< How many edit the mesh at the same time.
+  float Rank = 0.0F;                          ///< Cost of a collapse, for the log (EditRecorder.h).
+  double AccumulatedError = 0.0;              ///< mm, of a collapse: the estimate of its schedule.
+  const FragmentVolumes* Unsettled = nullptr; ///< Volumes of the worker that are not settled.
+
+  /// The edit; the first one if an edge is collapsed in several manifold patches.
+  Edit Requested;
+  VertexId Vertex;           ///< A vertex of the component that changes.
+  double VolumeChange = 0.0; ///< mm^3, of that component.
+  FaceId OtherGoneFace;      ///< The other face that a collapse removes; None on a boundary.
+
+  // Filled only if a filter needs them.
   std::vector<Index> OldFaces;
   std::vector<Face> NewFaces; // their ids are among the old ones, or those of removed faces
   std::vector<Index> OldBoundary;
@@ -45,21 +66,20 @@ struct SurfaceChange
   bool BoundaryStays = false; ///< The boundary's edges keep their positions and only change faces.
   std::array<VertexId, 2> Ends; ///< Vertices whose faces change all.
   VertexId Moved;               ///< The vertex that is new or moves; None if none is.
-  Vector3 Position = Vector3::Zero();
 
-  /// @param around Neighborhood of the edge to collapse.
-  void FillCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
+  /// Fills the faces by the edit that is requested.
+  /// @param around Neighborhood of the edge, for a collapse only.
+  void Fill(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around);
   /// Adds the collapse in one more manifold patch; all collapses end at one original vertex.
   void AddCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
   /// Takes those of the old faces that are left, as the edit made them.
   void TakeNewFaces(const HalfEdgeMesh& after);
-  void FillMove(const HalfEdgeMesh& mesh, const Edit& edit);
-  /// The mesh must turn the edge as HalfEdgeMesh::Flip says.
-  void FillFlip(const HalfEdgeMesh& mesh, const Edit& edit);
-  void FillSplit(const HalfEdgeMesh& mesh, const Edit& edit);
 
 private:
-  void Clear();
+  void FillMove(const HalfEdgeMesh& mesh);
+  /// The mesh must turn the edge as HalfEdgeMesh::Flip says.
+  void FillFlip(const HalfEdgeMesh& mesh);
+  void FillSplit(const HalfEdgeMesh& mesh);
   void AddOld(const HalfEdgeMesh& mesh, FaceId face, Index at, Index orAt);
   void SplitFace(const HalfEdgeMesh& mesh, HalfEdgeId edge, VertexId vertex, FaceId made);
   void MoveBoundary(const HalfEdgeMesh& mesh, HalfEdgeId from, HalfEdgeId to);

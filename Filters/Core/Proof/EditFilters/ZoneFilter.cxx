@@ -5,9 +5,9 @@
 namespace bonedecimate
 {
 Decision ZoneFilter::Screen(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending&) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending&) const
 {
-  for (const SurfaceChange::Face& face : edit.Change.NewFaces)
+  for (const SurfaceChange::Face& face : change.NewFaces)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {

@@ -26,7 +26,7 @@ public:
 
   bool NeedsSurfaceChange() const override { return true; }
   /// Corners of new faces are inside, or vertices that do not move.
-  Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  Decision Screen(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
 
 private:

@@ -46,7 +46,7 @@ void Replace(Coverage& coverage, const std::vector<Index>& gone,
 
 //------------------------------------------------------------------------------
 bool ErrorBound::StillAccepts(
-  const HalfEdgeMesh&, const ProposedEdit&, EditFilter::Pending& pending) const
+  const HalfEdgeMesh&, const SurfaceChange&, EditFilter::Pending& pending) const
 {
   const EditProof& proof = static_cast<const EditProof&>(pending);
   return IsAsProved(this->ByFaces, proof.Items) &&
@@ -55,10 +55,9 @@ bool ErrorBound::StillAccepts(
 
 //------------------------------------------------------------------------------
 void ErrorBound::Commit(
-  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending& pending, Tally&)
+  const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending& pending, Tally&)
 {
   EditProof& proof = static_cast<EditProof&>(pending);
-  const SurfaceChange& change = edit.Change;
   if (change.Moved != None)
   {
     this->Nearest[change.Moved] = proof.Nearest;

@@ -133,20 +133,18 @@ std::shared_ptr<EditFilter::Pending> DraftFilter::MakePending()
 
 //------------------------------------------------------------------------------
 Decision DraftFilter::Screen(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending&) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending&) const
 {
-  const SurfaceChange& change = edit.Change;
-  const bool isFree = edit.Requested.Kind == EditKind::Collapse &&
+  const bool isFree = change.Requested.Kind == EditKind::Collapse &&
     mesh.MovesFreely(change.Ends[0]) && mesh.MovesFreely(change.Ends[1]) && !this->Keeps(change);
   return isFree ? Rejection::NotRejected : Rejection::Boundary;
 }
 
 //------------------------------------------------------------------------------
 Decision DraftFilter::Check(
-  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending& pending) const
+  const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
   Pending& work = static_cast<Pending&>(pending);
-  const SurfaceChange& change = edit.Change;
   if (change.NewFaces.size() > CommonFaceProof::MaxCandidates - Coverage::SlotsPerItem)
   {
     return Rejection::ErrorBound;
@@ -156,7 +154,7 @@ Decision DraftFilter::Check(
   {
     work.Distances.AddCandidate(face.Corners);
   }
-  return this->SamplesAreNear(change, work) && this->NewFacesAreNear(edit, work)
+  return this->SamplesAreNear(change, work) && this->NewFacesAreNear(change, work)
     ? Rejection::NotRejected
     : Rejection::ErrorBound;
 }
@@ -190,9 +188,8 @@ bool DraftFilter::SamplesAreNear(const SurfaceChange& change, Pending& work) con
 }
 
 //------------------------------------------------------------------------------
-bool DraftFilter::NewFacesAreNear(const ProposedEdit& edit, Pending& work) const
+bool DraftFilter::NewFacesAreNear(const SurfaceChange& change, Pending& work) const
 {
-  const SurfaceChange& change = edit.Change;
   const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Allowed);
   const auto isNear = [&](const Vector3& p)
   {
@@ -201,13 +198,13 @@ bool DraftFilter::NewFacesAreNear(const ProposedEdit& edit, Pending& work) const
     return found.Distance <= RatioOfLimit * original.Limit(found.Nearest);
   };
   work.Nearest = this->Shared.Nearest[change.Moved];
-  if (!isNear(change.Position))
+  if (!isNear(change.Requested.Position))
   {
     return false;
   }
   const Index nearest = work.Nearest;
   const double limit = RatioOfLimit * original.Limit(nearest);
-  const bool areNear = edit.AccumulatedError <= SmallAccumulatedError * limit ||
+  const bool areNear = change.AccumulatedError <= SmallAccumulatedError * limit ||
     std::all_of(change.NewFaces.begin(), change.NewFaces.end(),
       [&](const SurfaceChange::Face& face)
       {
@@ -232,11 +229,11 @@ bool DraftFilter::FacesAreProved(
 
 //------------------------------------------------------------------------------
 void DraftFilter::Commit(
-  const HalfEdgeMesh&, const ProposedEdit& edit, EditFilter::Pending& pending, Tally&)
+  const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending& pending, Tally&)
 {
   const Pending& work = static_cast<const Pending&>(pending);
-  this->Shared.Nearest[edit.Change.Moved] = work.Nearest;
-  for (const Index old : edit.Change.OldFaces)
+  this->Shared.Nearest[change.Moved] = work.Nearest;
+  for (const Index old : change.OldFaces)
   {
     this->FirstOfFaces[old] = None;
   }

@@ -40,11 +40,11 @@ public:
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }
-  Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  Decision Screen(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
-  Decision Check(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
-  void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
+  void Commit(const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending,
     Tally& tally) override;
 
 private:
@@ -59,7 +59,7 @@ private:
   void AddEdges();
   void Distribute(const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads);
   bool SamplesAreNear(const SurfaceChange& change, Pending& work) const;
-  bool NewFacesAreNear(const ProposedEdit& edit, Pending& work) const;
+  bool NewFacesAreNear(const SurfaceChange& change, Pending& work) const;
   bool FacesAreProved(
     const SurfaceChange& change, const WalkedSurface& original, Index nearest) const;
   bool Keeps(const SurfaceChange& change) const;

@@ -54,6 +54,17 @@ ErrorBound::ErrorBound(
 ErrorBound::~ErrorBound() = default;
 
 //------------------------------------------------------------------------------
+std::vector<float> ErrorBound::LimitsOfVertices() const
+{
+  std::vector<float> limits;
+  for (VertexId v = 0; v < this->Source.NumberOfVertexSlots(); ++v)
+  {
+    limits.push_back(static_cast<float>(this->LimitAt(v)));
+  }
+  return limits;
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<Prover> ErrorBound::BorrowProver() const
 {
   return this->Provers.Borrow([this] { return std::make_unique<Prover>(*this); });
@@ -108,9 +119,8 @@ void ErrorBound::Adopt(VertexId made, VertexId like)
 
 //------------------------------------------------------------------------------
 Decision ErrorBound::Check(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
-  return this->BorrowProver()->Prove(
-    mesh, edit.Change, edit.Range, static_cast<EditProof&>(pending));
+  return this->BorrowProver()->Prove(mesh, change, static_cast<EditProof&>(pending));
 }
 }

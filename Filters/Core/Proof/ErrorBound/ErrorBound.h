@@ -77,13 +77,13 @@ public:
   std::shared_ptr<Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }
   Decision Check(
-    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const override;
+    const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& pending) const override;
   /// Whether the coverage of all items is that of the proof.
   bool StillAccepts(
-    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending) const override;
+    const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& pending) const override;
   void Adopt(VertexId made, VertexId like) override;
   void Commit(
-    const HalfEdgeMesh& mesh, const ProposedEdit& edit, Pending& pending, Tally& tally) override;
+    const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& pending, Tally& tally) override;
 
   /// Where the point will be when it has been written.
   Vector3 Rounded(const Vector3& position) const { return this->Settings.Rounded(position); }
@@ -91,6 +91,8 @@ public:
   /// mm, how far the result may be from an original vertex, without slack: never above
   /// ErrorBoundSettings::Error, infinite where nothing limits, 0 where nothing may change.
   double LimitAt(VertexId vertex) const { return this->Allowed.At(vertex); }
+  /// LimitAt() of all vertices.
+  std::vector<float> LimitsOfVertices() const;
   const ErrorLimits& Limits() const { return this->Allowed; }
 
   /// Covers the boundaries of the original by those of the mesh, as ProveStart.

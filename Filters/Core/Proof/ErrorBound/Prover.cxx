@@ -37,8 +37,7 @@ Prover::Prover(const ErrorBound& bound)
 }
 
 //------------------------------------------------------------------------------
-Decision Prover::Prove(
-  const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, EditProof& proof)
+Decision Prover::Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, EditProof& proof)
 {
   this->Change = &change;
   if (change.NewFaces.size() > MaxNewFaces || !this->MovedVertexIsNear())
@@ -46,13 +45,13 @@ Decision Prover::Prove(
     return Rejection::ErrorBound;
   }
   this->Prepare();
-  if (!this->EndsAreNear(mesh) || !this->WitnessesAreNear(mesh, range))
+  if (!this->EndsAreNear(mesh) || !this->WitnessesAreNear(mesh))
   {
     return Rejection::ErrorBound;
   }
   Gather(this->Shared.ByFaces, change.OldFaces, this->Items);
   Gather(this->Shared.ByBoundaries, change.OldBoundary, this->BoundaryItems);
-  if (!this->AreInRange(mesh, range))
+  if (!this->AreInRange(mesh))
   {
     return Decision::Defer();
   }
@@ -88,7 +87,7 @@ bool Prover::MovedVertexIsNear()
     return true;
   }
   const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
-  this->MovedCorner = original.Find(this->Change->Position, this->Shared.Nearest[moved]);
+  this->MovedCorner = original.Find(this->Change->Requested.Position, this->Shared.Nearest[moved]);
   return this->MovedCorner.Distance <= original.Limit(this->MovedCorner.Nearest);
 }
 
@@ -133,8 +132,9 @@ bool Prover::AreInRange(
 }
 
 //------------------------------------------------------------------------------
-bool Prover::AreInRange(const HalfEdgeMesh& mesh, VertexRange range) const
+bool Prover::AreInRange(const HalfEdgeMesh& mesh) const
 {
+  const VertexRange range = this->Change->Range;
   if (range.HasAll(mesh.NumberOfVertexSlots()))
   {
     return true;
@@ -179,9 +179,10 @@ bool Prover::EndsAreNear(const HalfEdgeMesh& mesh)
 //------------------------------------------------------------------------------
 /// The items that caused the last rejections here are likely to cause the next one. Those with a
 /// covering face out of range are skipped: another worker may be changing that face.
-bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh, VertexRange range)
+bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh)
 {
-  const auto isInRange = [&](FaceId face) { return FaceIsInRange(mesh, face, range); };
+  const auto isInRange = [&](FaceId face)
+  { return FaceIsInRange(mesh, face, this->Change->Range); };
   for (const VertexId end : this->Change->Ends)
   {
     const ErrorBound::Witness& known = this->Shared.Witnesses[end];

@@ -13,7 +13,6 @@
 #include "EditProof.h"
 #include "ErrorBound.h"
 #include "FaceProof.h"
-#include "Mesh/VertexRange.h"
 #include "PieceCover.h"
 #include "SparseSet.h"
 
@@ -25,10 +24,9 @@ public:
   explicit Prover(const ErrorBound& bound);
 
   /// Defers the edit if what would have to be proved again is proved outside of the range, too.
-  /// @param mesh The mesh before the edit.  @param range What may be read and written.
+  /// @param mesh The mesh before the edit.
   /// @param proof Proof of an accepted edit.
-  Decision Prove(
-    const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, EditProof& proof);
+  Decision Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, EditProof& proof);
 
 private:
   friend class BulkProof;
@@ -51,11 +49,11 @@ private:
   template <typename IsElementInRange>
   static bool AreInRange(const Coverage& coverage, const SparseSet<Item>& items,
     const IsElementInRange& isElementInRange);
-  bool AreInRange(const HalfEdgeMesh& mesh, VertexRange range) const;
+  bool AreInRange(const HalfEdgeMesh& mesh) const;
   bool MovedVertexIsNear();
   void Prepare();
   bool EndsAreNear(const HalfEdgeMesh& mesh);
-  bool WitnessesAreNear(const HalfEdgeMesh& mesh, VertexRange range);
+  bool WitnessesAreNear(const HalfEdgeMesh& mesh);
   bool Depends(Item& item) const;
   bool OriginalsAreNear(const HalfEdgeMesh& mesh);
   bool ProveItem(const HalfEdgeMesh& mesh, Item& item);

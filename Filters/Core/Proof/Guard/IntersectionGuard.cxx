@@ -152,7 +152,7 @@ void IntersectionGuard::FindSwept(
   work.Cells.clear();
   work.Faces.clear();
   work.Swept.clear();
-  const Vector3 apex = change.Moved != None ? change.Position : work.New[0].Corners[0];
+  const Vector3 apex = change.Moved != None ? change.Requested.Position : work.New[0].Corners[0];
   for (const std::vector<Piece>* pieces : { &work.Old, &work.New })
   {
     for (const Piece& piece : *pieces)
@@ -264,29 +264,29 @@ void IntersectionGuard::TakeDraft(const EditJournal& journal)
 
 //------------------------------------------------------------------------------
 Decision IntersectionGuard::Screen(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
-  const bool owns = this->Owns(mesh, edit.Change, edit.Range, static_cast<Pending&>(pending));
+  const bool owns = this->Owns(mesh, change, change.Range, static_cast<Pending&>(pending));
   return owns ? Decision::Accept() : Decision::Defer();
 }
 
 //------------------------------------------------------------------------------
 Decision IntersectionGuard::Check(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
   Pending& work = static_cast<Pending&>(pending);
   if (!work.KnowsCells)
   {
-    this->FillPieces(mesh, edit.Change, work);
+    this->FillPieces(mesh, change, work);
     this->FindCells(work);
   }
-  this->FindNear(mesh, edit.Change, work);
+  this->FindNear(mesh, change, work);
   if (MeetMore(work.Old, work.New, work.Near, this->Written) || this->NarrowsGap(work))
   {
     return Rejection::Intersection;
   }
-  this->FindSwept(mesh, edit.Change, work);
-  if (!this->Grid->HoldsAll(edit.Range) && !this->Grid->OwnsAll(edit.Range, work.Cells))
+  this->FindSwept(mesh, change, work);
+  if (!this->Grid->HoldsAll(change.Range) && !this->Grid->OwnsAll(change.Range, work.Cells))
   {
     return Decision::Defer();
   }
@@ -311,20 +311,18 @@ double IntersectionGuard::Reach(const EditFilter::Pending& pending) const
 /// Duplicates have one gap. An edit at one of them changes that of faces at the others, which may
 /// reach far away from the edit.
 bool IntersectionGuard::StillAccepts(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending) const
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
   const Pending& work = static_cast<const Pending&>(pending);
   return std::all_of(work.Near.begin(), work.Near.end(),
-    [&](const Piece& near)
-    { return this->MinGapOf(mesh, edit.Change, near.Vertices) == near.MinGap; });
+    [&](const Piece& near) { return this->MinGapOf(mesh, change, near.Vertices) == near.MinGap; });
 }
 
 //------------------------------------------------------------------------------
 void IntersectionGuard::Commit(
-  const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending, Tally&)
+  const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending, Tally&)
 {
   Pending& work = static_cast<Pending&>(pending);
-  const SurfaceChange& change = edit.Change;
   std::size_t from = 0;
   for (std::size_t i = 0; i < change.OldFaces.size(); ++i)
   {

@@ -47,16 +47,16 @@ public:
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }
   /// Defers an edit near cells of the grid that belong to another worker.
-  Decision Screen(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  Decision Screen(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
-  Decision Check(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
   double Reach(const EditFilter::Pending& pending) const override;
   /// Whether no gap that the check read has changed.
-  bool StillAccepts(const HalfEdgeMesh& mesh, const ProposedEdit& edit,
+  bool StillAccepts(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
   void Adopt(VertexId made, VertexId like) override;
-  void Commit(const HalfEdgeMesh& mesh, const ProposedEdit& edit, EditFilter::Pending& pending,
+  void Commit(const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending,
     Tally& tally) override;
 
   /// The check of a draft, made before its first edit. Guard and journal must outlive the check.

@@ -67,11 +67,11 @@ public:
     const int threads = this->Requested.NumberOfThreads;
     const Editor& editor = this->Run.MeshEditor;
     const SurfaceCounts counts = { NumberOfOriginalVertices(this->Run.Cleaned),
-      editor.NumberOfFragments(), editor.Mesh().EdgesAtFirst() };
+      editor.Components().Count(), editor.Mesh().EdgesAtFirst() };
     Report& report = this->Output.Report;
     report.Input = Describe(this->Run.Cleaned.Surface, counts, threads);
     // Without a collapse the counts of the input hold: flips and moves change none of them.
-    report.Output = editor.NumberOfCollapses() == 0
+    report.Output = editor.Totals().Collapses == 0
       ? Describe(this->Run.LocalResult, counts, threads)
       : Describe(this->Run.LocalResult, threads);
     CompareShapes(this->Output.Surface, this->Requested,

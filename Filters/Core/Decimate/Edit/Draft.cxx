@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draft.h"
+#include "Proof/ErrorBound/BulkProof.h"
+#include "Proof/ErrorBound/DraftFilter.h"
+#include "Proof/Guard/Containment.h"
+#include "Proof/Guard/IntersectionGuard.h"
+#include "Proof/Guard/Separation.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+namespace bonedecimate
+{
+namespace
+{
+/// How often the edits of a vertex are undone alone. Each later failure undoes one more of the last
+/// edits around it.
+constexpr int FailuresWithoutMore = 4;
+constexpr int MaxFailures = 100; // later failures are not counted
+/// After so many turns the draft is undone as a whole.
+constexpr int MaxTurns = 120;
+/// Ratio of the separation by which a draft may move points, so that two moving parts cannot meet.
+constexpr double LessThanHalf = 0.49;
+/// Distance within which other parts are searched, in largest errors: both may move by one, and a
+/// hundredth is for rounding.
+constexpr double ErrorsOfSeparation = 2.01;
+
+/// Whether nothing has been edited.
+bool IsAsAtFirst(const HalfEdgeMesh& first, const HalfEdgeMesh& now)
+{
+  bool isSame = first.NumberOfFaceSlots() == now.NumberOfFaceSlots();
+  for (FaceId face = 0; isSame && face < first.NumberOfFaceSlots(); ++face)
+  {
+    isSame = first.IsAlive(face) == now.IsAlive(face) &&
+      (!now.IsAlive(face) ||
+        (first.Corners(face) == now.Corners(face) &&
+          PositionsOf(first, face) == PositionsOf(now, face)));
+  }
+  return isSame;
+}
+}
+
+Draft::Draft(Editor& editor, int threads)
+  : Target(editor)
+  , Threads(threads)
+  , IsOriginal(IsAsAtFirst(editor.BoundedMesh(), editor.Half))
+  , Journal(std::make_shared<EditJournal>(editor.Half))
+  , Limits(this->LimitsAtFirst())
+  , Failures(static_cast<std::size_t>(editor.Half.NumberOfVertexSlots()), 0)
+  , ExactFilters(editor.Filters)
+  , Rejections(editor.Total.Rejections)
+{
+  editor.Total.Draft.Status = DraftStatus::Used;
+  if (editor.Guard)
+  {
+    this->State.emplace(editor.Guard->CheckOf(*this->Journal));
+    this->Enclosing =
+      this->FindEnclosing(this->IsOriginal ? &editor.BoundedTree(threads) : nullptr);
+  }
+  this->ExchangeFilters();
+}
+
+//------------------------------------------------------------------------------
+/// Where the mesh is not the original, what is near another part does not move at all: it may be
+/// anywhere within the bound.
+ErrorLimits Draft::LimitsAtFirst() const
+{
+  ErrorLimits limits = this->Target.BoundFilter->Limits();
+  if (this->Target.Guard)
+  {
+    limits.Reduce(
+      Separations(this->Target.BoundedMesh(), ErrorsOfSeparation * limits.Most(), this->Threads),
+      this->IsOriginal ? LessThanHalf : 0.0);
+  }
+  return limits;
+}
+
+//------------------------------------------------------------------------------
+void Draft::ExchangeFilters()
+{
+  Editor& editor = this->Target;
+  editor.Filters.clear();
+  for (const std::shared_ptr<EditFilter>& filter : this->ExactFilters)
+  {
+    if (filter == editor.BoundFilter)
+    {
+      const auto draftFilter = std::make_shared<DraftFilter>(
+        *editor.BoundFilter, this->Limits, editor.Half, editor.CurrentVertices(), this->Threads);
+      if (editor.Guard && !this->IsOriginal)
+      {
+        draftFilter->KeepUnproved(editor.Half, this->Threads);
+      }
+      editor.Filters.push_back(draftFilter);
+    }
+    else if (filter != editor.Guard)
+    {
+      editor.Filters.push_back(filter);
+    }
+  }
+  editor.Filters.push_back(this->Journal);
+  editor.ManifoldPatches.clear(); // which hold data of the filters
+}
+
+//------------------------------------------------------------------------------
+bool Draft::Prove(const Monitor& monitor)
+{
+  Editor& editor = this->Target;
+  editor.Filters = this->ExactFilters; // the filters of the draft need memory
+  editor.ManifoldPatches.clear();
+  BulkProof proof(*editor.BoundFilter, this->Limits, editor.Half, *this->Journal, this->Threads);
+  for (int turn = 0; turn < MaxTurns; ++turn)
+  {
+    if (!monitor(static_cast<double>(turn) / MaxTurns))
+    {
+      this->Undo();
+      return false;
+    }
+    const std::vector<Index> edits = this->FindRejectedEdits(proof);
+    if (edits.empty())
+    {
+      this->Finish();
+      proof.WriteCoverage();
+      return true;
+    }
+    this->UndoRejected(edits);
+  }
+  editor.Total.Draft.Status = DraftStatus::Undone;
+  this->Undo();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// The cheaper checks first: there is less left to check then.
+std::vector<Index> Draft::FindRejectedEdits(BulkProof& proof)
+{
+  std::vector<Index> edits = proof.FindFailures(this->Target.CurrentVertices());
+  if (edits.empty() && this->State)
+  {
+    edits = this->State->FindRejected(this->Threads);
+  }
+  if (edits.empty())
+  {
+    const std::vector<char> isWrong = this->FindWrongComponents();
+    for (Index edit = 0; edit < this->Journal->Count(); ++edit)
+    {
+      const JournalEntry& entry = this->Journal->Entry(edit);
+      if (!entry.IsUndone && isWrong[this->Target.Fragments->ComponentOf(entry.Keep)] != 0)
+      {
+        edits.push_back(edit);
+      }
+    }
+  }
+  std::sort(edits.begin(), edits.end(), std::greater<>());
+  edits.erase(std::unique(edits.begin(), edits.end()), edits.end());
+  return edits;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<Index>> Draft::FindEnclosing(const BoundingTree* tree) const
+{
+  return bonedecimate::FindEnclosing(
+    this->Target.Half, this->Target.Fragments->Count(),
+    [this](VertexId v) { return this->Target.Fragments->ComponentOf(v); }, tree, this->Threads);
+}
+
+//------------------------------------------------------------------------------
+/// Marks components that became too small, or that are enclosed by other closed ones than before.
+std::vector<char> Draft::FindWrongComponents() const
+{
+  const FragmentGuard& fragments = *this->Target.Fragments;
+  std::vector<char> isWrong = fragments.FindTooSmall(this->Target.Half);
+  if (this->Target.Guard)
+  {
+    const std::vector<std::vector<Index>>& before = this->Enclosing;
+    const std::vector<std::vector<Index>> now = this->FindEnclosing(nullptr);
+    for (std::size_t i = 0; i < now.size(); ++i)
+    {
+      std::vector<Index> changed;
+      std::set_symmetric_difference(before[i].begin(), before[i].end(), now[i].begin(),
+        now[i].end(), std::back_inserter(changed));
+      for (const Index other : changed)
+      {
+        if (fragments.IsClosed(other))
+        {
+          isWrong[i] = 1;
+          isWrong[other] = 1;
+        }
+      }
+    }
+  }
+  return isWrong;
+}
+
+//------------------------------------------------------------------------------
+void Draft::UndoRejected(const std::vector<Index>& edits)
+{
+  const EditJournal& journal = *this->Journal;
+  for (const Index edit : edits)
+  {
+    const JournalEntry& entry = journal.Entry(edit);
+    this->UndoWithDependents(edit);
+    int failures = 0;
+    for (const VertexId v : { entry.Keep, entry.Gone })
+    {
+      std::uint8_t& count = this->Failures[v];
+      count = static_cast<std::uint8_t>(std::min(MaxFailures, count + 1));
+      failures = std::max<int>(failures, count);
+    }
+    for (int more = FailuresWithoutMore; more < failures; ++more)
+    {
+      Index last = None;
+      for (Index i = 0; i < entry.NumberOfFaces; ++i)
+      {
+        last = std::max(last, journal.LastOfFace(journal.OldFace(edit, i).Face));
+      }
+      if (last != None)
+      {
+        this->UndoWithDependents(last);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Draft::UndoWithDependents(Index edit)
+{
+  if (!this->Journal->Entry(edit).IsUndone)
+  {
+    for (const Index dependent : this->Journal->DependentsOf(edit))
+    {
+      this->Target.Undo(*this->Journal, dependent);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Draft::Undo()
+{
+  for (Index edit = this->Journal->Count(); edit-- > 0;)
+  {
+    this->UndoWithDependents(edit);
+  }
+  this->Finish();
+}
+
+//------------------------------------------------------------------------------
+void Draft::Finish()
+{
+  Editor& editor = this->Target;
+  editor.Total.Draft.Collapses = this->Journal->Count();
+  editor.Total.Draft.Undone = this->Journal->NumberOfUndone();
+  if (editor.Guard)
+  {
+    editor.Guard->TakeDraft(*this->Journal);
+  }
+  editor.Filters = this->ExactFilters;
+  editor.Total.Rejections = this->Rejections;
+  editor.ManifoldPatches.clear();
+  this->State.reset(); // what follows needs the memory
+  this->Journal.reset();
+  this->Enclosing = {};
+  this->Failures = {};
+  editor.PrepareCollapses(this->Threads);
+}
+}
