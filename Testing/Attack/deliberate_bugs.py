@@ -13,7 +13,8 @@ GUARD = "Filters/Core/Labels/VoxelGuard/"
 INTERSECTIONS = "Filters/Core/Proof/Guard/"
 STATE = INTERSECTIONS + "StateCheck.cxx"
 SEPARATION = INTERSECTIONS + "Separation.cxx"
-DRAFT = "Filters/Core/Decimate/Edit/EditorDraft.cxx"
+DRAFT = "Filters/Core/Decimate/Edit/Draft.cxx"
+APPLY = "Filters/Core/Decimate/Edit/EditorApply.cxx"
 BULK = FOLDER + "BulkProof.cxx"
 CERTIFICATE = "Filters/Core/Proof/Certificate/"
 OVERLAY = CERTIFICATE + "OverlayCover.cxx"
@@ -89,7 +90,7 @@ MUTANTS = (
              "return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&",
              "return (this->Batch > 0 || std::all_of(this->Changed.begin(), this->Changed.end(), isApart)) &&",
              BATCH_TESTS),
-    of_draft("edits of a batch are applied within the reach of others", BATCH, "this->MeshEditor.Reach(candidate.Space)", "0.0",
+    of_draft("edits of a batch are applied within the reach of others", BATCH, "> candidate.Space.Reach", "> 0.0",
              BATCH_TESTS),
     of_draft("filters do not check an edit of a batch again when it is applied", BATCH, " &&\n    this->MeshEditor.StillAccepts(candidate.Space);",
              ";", BATCH_TESTS),
@@ -99,7 +100,7 @@ MUTANTS = (
              "store(covering, std::memory_order_relaxed);\n    ++this->Versions[item];", "store(covering, std::memory_order_relaxed);\n    --this->Versions[item];",
              BATCH_TESTS),
     of_draft("fragments lose the volume of each edit of a batch alone", "Filters/Core/Proof/EditFilters/FragmentGuard.cxx",
-             "return this->Screen(mesh, edit, pending).IsAccepted();", "return this->Screen(mesh, edit, pending).IsAccepted() || edit.Workers == 1;",
+             "return this->Screen(mesh, change, pending).IsAccepted();", "return this->Screen(mesh, change, pending).IsAccepted() || change.Workers == 1;",
              BATCH_TESTS),
     of_draft("an edit of a draft is undone without those that depend on it", "Filters/Core/Proof/EditFilters/EditJournal.cxx",
              "          open.push_back(later);\n", ""),
@@ -108,7 +109,7 @@ MUTANTS = (
              "        if (at == edit && (position == seen.end() || *position != later))"),
     of_draft("an undone edit stays the last one of its faces", "Filters/Core/Proof/EditFilters/EditJournal.cxx",
              "    this->OfFace[face.Face] = face.Made;\n", "    (void)face;\n"),
-    of_draft("an undone edit leaves the vertex where it was moved", DRAFT,
+    of_draft("an undone edit leaves the vertex where it was moved", APPLY,
              "  this->Half.Move(entry.Keep, journal.OldPosition(entry));\n", ""),
     of_draft("faces of a draft are not proved", BULK, "                this->Shared.Nearest[this->Mesh.Corners(face)[0]])\n",
              "                this->Shared.Nearest[this->Mesh.Corners(face)[0]]) || true\n"),
@@ -131,11 +132,11 @@ MUTANTS = (
               "    if (isNear(distances[v]) && part < 0.0)\n"),
     of_near("more than half of the way to another part", DRAFT, "LessThanHalf = 0.49;", "LessThanHalf = 1.5;"),
     of_near("limits near other parts hold in the filter, not in the proof", DRAFT,
-              "*this->Bound, this->Drafted->Limits, this->Half, *this->Drafted->Journal, threads);",
-              "*this->Bound, this->Bound->Limits(), this->Half, *this->Drafted->Journal, threads);"),
+              "*editor.BoundFilter, this->Limits, editor.Half, *this->Journal, this->Threads);",
+              "*editor.BoundFilter, editor.BoundFilter->Limits(), editor.Half, *this->Journal, this->Threads);"),
     of_near("other parts count only within the error", DRAFT, "ErrorsOfSeparation = 2.01;", "ErrorsOfSeparation = 0.6;"),
-    of_near("what is near another part moves where the mesh is smoothed", DRAFT, "isFirst ? LessThanHalf : 0.0",
-              "isFirst ? LessThanHalf : 3.0"),
+    of_near("what is near another part moves where the mesh is smoothed", DRAFT, "this->IsOriginal ? LessThanHalf : 0.0",
+              "this->IsOriginal ? LessThanHalf : 3.0"),
     of_near("a tube counts as a disk", SEPARATION, "return this->Parts == 1 && this->Euler == 1;", "return this->Parts == 1;"),
     of_near("another part counts as the same disk", SEPARATION, "return this->Parts == 1 && this->Euler == 1;",
               "return this->Euler == this->Parts;"),
@@ -156,8 +157,8 @@ MUTANTS = (
     of_near("a wide gap of the input allows a narrow one", STATE, ".SquaredLength <= now &&", ".SquaredLength >= now &&"),
     of_near("a merged vertex of a draft keeps its own gap", INTERSECTIONS + "GapPairs.cxx",
               "widths.Of(keep).And(widths.Of(mesh.OriginalVertex(entry.Gone)))", "widths.Of(keep)"),
-    of_near("fragments of a draft may lose their volume", DRAFT, "isWrong[this->Fragments->ComponentOf(entry.Keep)] != 0",
-              "isTooSmall[this->Fragments->ComponentOf(entry.Keep)] > 1"),
+    of_near("fragments of a draft may lose their volume", DRAFT, "isWrong[this->Target.Fragments->ComponentOf(entry.Keep)] != 0",
+              "isWrong[this->Target.Fragments->ComponentOf(entry.Keep)] > 1"),
     of_near("a component may be swallowed", INTERSECTIONS + "Containment.cxx", "    if ((next - first) % 2 != 0)\n",
             "    if (next == first)\n"),
     of_near("what passes an edge of what encloses is not looked at again", INTERSECTIONS + "Containment.cxx",
@@ -174,7 +175,7 @@ MUTANTS = (
               " || this->Piercing > other.Piercing", ""),
     of_near("a pair of two fragments replaces one of a fragment", INTERSECTIONS + "Piece.cxx",
               " || this->Apart > other.Apart", ""),
-    of_draft("an undone edit leaves the twins as they are", DRAFT,
+    of_draft("an undone edit leaves the twins as they are", APPLY,
              "    this->Half.RestoreTwins(face.Face, entry.Twins[side]);\n", ""),
     of_draft("a layer is counted once too often", OVERLAY, "this->IsOdd = this->IsOdd != (std::abs(turns) == 3);",
              "this->IsOdd = this->IsOdd || std::abs(turns) == 3;", CERTIFICATE_TESTS),
@@ -281,11 +282,12 @@ MUTANTS = (
              "!this->Limits.LimitsEdges() ||", "true ||", SPLIT_TESTS),
     of_draft("a split mixes up the halves of a face", "Filters/Core/Proof/EditFilters/SurfaceChange.cxx",
              "{ face, { a, vertex, c }, {", "{ made, { a, vertex, c }, {", SPLIT_TESTS),
-    of_draft("a split counts as proved", "Filters/Core/Decimate/Edit/SplitEdit.cxx",
-             "const Decision decision = this->RunFilters(work);", "this->RunFilters(work); const Decision decision = Decision::Accept();", SPLIT_TESTS),
+    of_draft("a split counts as proved", "Filters/Core/Decimate/Edit/EditorCheck.cxx",
+             "decision = this->RunFilters(work);",
+             "decision = this->RunFilters(work); decision = edit.Kind == EditKind::Split ? Decision::Accept() : decision;", SPLIT_TESTS),
     Mutant("a split gives a face the labels of the removed one", "Filters/Core/Mesh/HalfEdgeMesh.cxx",
            "this->InputFaces[made] = this->InputFaces[Face(h)];", "", SPLIT_TESTS),
-    of_draft("an id that a split takes stays free", "Filters/Core/Decimate/Edit/SplitEdit.cxx",
+    of_draft("an id that a split takes stays free", APPLY,
              "this->VertexSlots->Take(edit.Keep);", "", SPLIT_TESTS),
     of_draft("struts of bone are cut as tunnels are closed", "Filters/Core/Repair/Tunnels/CloseTunnels.cxx",
              ": inwards < -clear * all   ? Surrounded::Bone", ": inwards < -clear * all   ? Surrounded::Tunnel", TUNNEL_TESTS),

@@ -173,7 +173,7 @@ TEST(BatchSweep, AppliesNoEditNearWhichTheMeshHasChangedSinceItsCheck)
   {
     const auto filter = std::make_shared<NearFacesFilter>(1.0);
     Editor editor(cleaned, Proving(0.3, filter));
-    BucketSweep(editor, { 0, 0.0 }, threads).Run(Always);
+    BucketSweep(editor, threads).Run({ 0, 0.0 }, Always);
     EXPECT_EQ(filter->Stale, 0);
     EXPECT_EQ(filter->NotCompared, 0);
     EXPECT_GT(filter->Committed, 100);
@@ -186,7 +186,7 @@ TEST(BatchSweep, TriesAnEditAgainThatIsNoLongerAccepted)
   const CleanSurface cleaned = Clean(BumpySphere(2, 10.0, 0.1, 7), true);
   const auto filter = std::make_shared<ChangesItsMindFilter>();
   Editor editor(cleaned, Proving(0.3, filter));
-  BucketSweep(editor, { 0, 0.0 }, 1).Run(Always);
+  BucketSweep(editor, 1).Run({ 0, 0.0 }, Always);
   EXPECT_GT(filter->Committed, 30);
   EXPECT_EQ(filter->Committed, editor.Totals().Collapses);
 }

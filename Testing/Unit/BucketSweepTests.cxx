@@ -216,8 +216,8 @@ TEST(BucketSweep, GivesTheSameMeshWithoutAKernelForItsPolicies)
   Editor expected(cleaned, settings);
   Editor found(cleaned, settings);
   const StopTargets stops = { expected.Mesh().NumberOfFaces() / 8, 0.0 };
-  BucketSweep(expected, stops, 1).Run(goOn);
-  BucketSweep(found, stops, 1, {}, policies).Run(goOn);
+  BucketSweep(expected, 1).Run(stops, goOn);
+  BucketSweep(found, 1, {}, policies).Run(stops, goOn);
   EXPECT_TRUE(SameBytes(SurfaceOf(found.Mesh()), SurfaceOf(expected.Mesh())));
 }
 
@@ -230,7 +230,7 @@ TEST_P(RingQuadrics, EqualNewSumsAfterManyCollapses)
   const CleanSurface cleaned = Clean(GetParam().Surface, true);
   Editor editor(cleaned, EditorSettings{ false, false, true });
   const Index faces = editor.Mesh().NumberOfFaces();
-  BucketSweep(editor, { faces / 4, 0.0 }, 1).Run([](double) { return true; });
+  BucketSweep(editor, 1).Run({ faces / 4, 0.0 }, [](double) { return true; });
   HalfEdgeMesh afresh = editor.Mesh();
   SumRingQuadrics(afresh, 1);
   for (Index v = 0; v < afresh.NumberOfVertexSlots(); ++v)

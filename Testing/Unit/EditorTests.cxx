@@ -30,8 +30,8 @@ StopReason RunToTheEnd(const Surface& surface, const Editor::Hook& check)
   const CleanSurface cleaned = Clean(surface, true);
   Editor editor(cleaned, EditorSettings());
   editor.SetHook(check);
-  ThesisCollapse loop(editor, OfThesis(), Tolerance, { 0, 0.0 });
-  return loop.Run([](double) { return true; });
+  ThesisCollapse loop(editor, OfThesis(), Tolerance);
+  return loop.Run({ 0, 0.0 }, [](double) { return true; });
 }
 
 /// Compares one collapse with the mesh before it.
@@ -263,11 +263,12 @@ TEST(ThesisCollapse, AVertexWithRejectedEdgesIsTriedAgainAfterItsRingChanges)
   {
     const CleanSurface cleaned = Clean(shape.Surface, true);
     Editor editor(cleaned, EditorSettings());
-    ThesisCollapse loop(editor, OfThesis(), Tolerance, { 0, 0.0 });
-    EXPECT_EQ(loop.Run([](double) { return true; }), StopReason::NothingLeft) << shape.Name;
+    ThesisCollapse loop(editor, OfThesis(), Tolerance);
+    EXPECT_EQ(loop.Run({ 0, 0.0 }, [](double) { return true; }), StopReason::NothingLeft)
+      << shape.Name;
     const Index faces = editor.Mesh().NumberOfFaces();
-    ThesisCollapse again(editor, OfThesis(), Tolerance, { 0, 0.0 });
-    again.Run([](double) { return true; });
+    ThesisCollapse again(editor, OfThesis(), Tolerance);
+    again.Run({ 0, 0.0 }, [](double) { return true; });
     EXPECT_GT(editor.Mesh().NumberOfFaces(), 0) << shape.Name;
     EXPECT_GE(10 * editor.Mesh().NumberOfFaces(), 9 * faces) << shape.Name;
   }

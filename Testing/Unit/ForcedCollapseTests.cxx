@@ -154,7 +154,7 @@ TEST(ForcedCollapse, IsOneStepOfTheLog)
   EditorSettings settings = Guarded(Limit);
   settings.RecordsEdits = true;
   Editor editor(clean, settings);
-  BucketSweep(editor, { 0, 0.0 }, 1).Run(Always);
+  BucketSweep(editor, 1).Run({ 0, 0.0 }, Always);
   const std::int64_t before = editor.Totals().Collapses;
   SlackRefinement slack(editor, 1);
   ForcedCollapseFigures figures;

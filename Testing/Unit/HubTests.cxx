@@ -97,7 +97,7 @@ std::int64_t ChangedFaces(const Surface& surface, double error)
       EXPECT_LE(changed, MaxFacesOfEdit);
       faces += changed;
     });
-  BucketSweep(editor, { 64, 0.0 }, 1).Run([](double) { return true; });
+  BucketSweep(editor, 1).Run({ 64, 0.0 }, [](double) { return true; });
   EXPECT_GT(editor.Totals().Collapses, 0);
   return faces;
 }

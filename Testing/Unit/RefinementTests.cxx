@@ -44,7 +44,7 @@ public:
     , Back(this->Original)
     , FaceErrors(static_cast<std::size_t>(this->Original.NumberOfFaceSlots()), -1.0F)
   {
-    BucketSweep(this->MeshEditor, { this->Original.NumberOfFaces() / divisor, 0.0 }, 1).Run(GoOn);
+    BucketSweep(this->MeshEditor, 1).Run({ this->Original.NumberOfFaces() / divisor, 0.0 }, GoOn);
     this->Back.Begin(this->MeshEditor.Mesh(), 1, GoOn);
     this->Fit.Distribute(this->MeshEditor.Mesh(), this->MeshEditor.CurrentVertices(), 1, GoOn);
     this->MeshEditor.PrepareCollapses(1);

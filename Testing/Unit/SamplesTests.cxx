@@ -125,7 +125,7 @@ TEST_P(EachSample, IsInTheListOfExactlyOneFaceAndAllRepresentTheWholeArea)
   {
     Editor editor(clean, EditorSettings{ false, false, true });
     const HalfEdgeMesh original = editor.Mesh();
-    BucketSweep(editor, { original.NumberOfFaces() / divisor, 0.0 }, 1).Run(GoOn);
+    BucketSweep(editor, 1).Run({ original.NumberOfFaces() / divisor, 0.0 }, GoOn);
     Samples samples(original);
     ASSERT_TRUE(samples.Distribute(editor.Mesh(), editor.CurrentVertices(), 1, GoOn));
     const std::vector<int> one(static_cast<std::size_t>(samples.Count()), 1);
@@ -167,7 +167,7 @@ TEST(Samples, AreTheSameForAnyNumberOfThreads)
   const CleanSurface clean = Clean(BumpySphere(5, 20.0, 0.05, 8), true);
   Editor editor(clean, EditorSettings{ false, false, true });
   const HalfEdgeMesh original = editor.Mesh();
-  BucketSweep(editor, { original.NumberOfFaces() / 8, 0.0 }, 1).Run(GoOn);
+  BucketSweep(editor, 1).Run({ original.NumberOfFaces() / 8, 0.0 }, GoOn);
   Samples one(original);
   one.Distribute(editor.Mesh(), editor.CurrentVertices(), 1, GoOn);
   Samples four(original);
@@ -185,7 +185,7 @@ TEST(BackHints, LeadToTheNearestPointOfTheOriginalOnASmoothSurface)
   const CleanSurface clean = Clean(BumpySphere(4, 20.0, 0.02, 8), true);
   Editor editor(clean, EditorSettings{ false, false, true });
   const HalfEdgeMesh original = editor.Mesh();
-  BucketSweep(editor, { original.NumberOfFaces() / 8, 0.0 }, 1).Run(GoOn);
+  BucketSweep(editor, 1).Run({ original.NumberOfFaces() / 8, 0.0 }, GoOn);
   BackHints hints(original);
   ASSERT_TRUE(hints.Begin(editor.Mesh(), 1, GoOn));
   for (Index v = 0; v < editor.Mesh().NumberOfVertexSlots(); ++v)

@@ -32,7 +32,7 @@ struct Bench
     , Fit(this->MeshEditor.BoundedMesh(), false, Limits(error))
     , Back(this->MeshEditor.BoundedMesh())
   {
-    BucketSweep(this->MeshEditor, { 0, 0.0 }, 1).Run(Always);
+    BucketSweep(this->MeshEditor, 1).Run({ 0, 0.0 }, Always);
     this->Back.Begin(this->Mesh(), 1, Always);
     this->Fit.Distribute(this->Mesh(), this->MeshEditor.CurrentVertices(), 1, Always);
     this->MeshEditor.PrepareCollapses(1);

@@ -78,8 +78,8 @@ double PeakAfterSweep(const Surface& input, Index faces, double spikeWeight)
   CleanSurface cleaned = Clean(input, true);
   SortAlongCurve(cleaned, 1);
   Editor editor(cleaned, EditorSettings{ false, false, true });
-  BucketSweep(editor, { faces, 0.0 }, 1, SweepSettings{ spikeWeight, 1 })
-    .Run([](double) { return true; });
+  BucketSweep(editor, 1, SweepSettings{ spikeWeight, 1 })
+    .Run({ faces, 0.0 }, [](double) { return true; });
   return MaxDistance(cleaned.Surface, SurfaceOf(editor.Mesh()));
 }
 

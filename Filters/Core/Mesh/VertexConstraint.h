@@ -13,7 +13,7 @@
  *     Constrained          no                   no               no               closed or open
  *
  * Stationary vertices of a feature curve may be removed with the same edge in all manifold
- * patches (Editor::CollapseTogether).
+ * patches (Editor::Try).
  */
 #ifndef BoneDecimate_Core_Mesh_VertexConstraint_h
 #define BoneDecimate_Core_Mesh_VertexConstraint_h

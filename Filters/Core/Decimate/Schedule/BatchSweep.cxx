@@ -34,31 +34,39 @@ BatchSweep::BatchSweep(
 }
 
 //------------------------------------------------------------------------------
-void BatchSweep::Run(
-  const BlockTask& task, const std::function<bool()>& goOn, const std::function<bool()>& pulse)
+bool BatchSweep::Run(const BlockTask& task, StopCriterion& end, const Monitor& monitor)
 {
   this->Task = task;
   this->Lists.Fill(task);
   Index left = task.Collapses;
-  while (left > 0 && pulse())
+  while (left > 0 && !end.IsReached())
   {
+    if (!end.TellNow(monitor))
+    {
+      return false;
+    }
     this->FillBatch();
     if (this->Size == 0)
     {
-      return;
+      return true;
     }
     this->Team.Run(this->Size, [this](std::size_t i) { this->SearchAt(this->Candidates[i]); });
     this->Changed.clear();
     const std::size_t waiting = this->Waiting.size();
-    for (std::size_t i = 0; i < this->Size && left > 0; ++i)
+    for (std::size_t i = 0; i < this->Size && left > 0 && !end.IsReached(); ++i)
     {
       if (this->Commit(this->Candidates[i]))
       {
-        left = goOn() ? left - 1 : 0;
+        --left;
+        if (!end.Tell(monitor))
+        {
+          return false;
+        }
       }
     }
     this->ChangeBatchSize(this->Changed.size(), this->Waiting.size() - waiting);
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -29,9 +29,9 @@
 #define BoneDecimate_Core_Decimate_Schedule_BatchSweep_h
 
 #include "Base/WorkerTeam.h"
+#include "StopCriterion.h"
 #include "VertexLists.h"
 
-#include <functional>
 #include <vector>
 
 namespace bonedecimate
@@ -41,11 +41,11 @@ class BatchSweep
 public:
   BatchSweep(Editor& editor, const EdgeEvaluator& evaluate, VertexBuckets& buckets, int threads);
 
+  /// Until the end is reached, or nothing is left to collapse.
   /// @param task Its vertices are the whole mesh.
-  /// @param goOn Called after every collapse, which is settled.
-  /// @param pulse Called before every batch; both return whether the sweep continues.
-  void Run(
-    const BlockTask& task, const std::function<bool()>& goOn, const std::function<bool()>& pulse);
+  /// @param end Told after every collapse and before every batch.
+  /// @return False if the monitor requests a stop.
+  bool Run(const BlockTask& task, StopCriterion& end, const Monitor& monitor);
 
 private:
   /// A vertex of a list.

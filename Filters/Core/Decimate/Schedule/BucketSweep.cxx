@@ -31,11 +31,10 @@ constexpr Index CollapsesBetweenWords = 1024;
 constexpr Index VerticesBetweenWords = 64;
 }
 
-BucketSweep::BucketSweep(Editor& editor, const StopTargets& stops, int threads,
-  const SweepSettings& settings, const SweepPolicies& policies)
+BucketSweep::BucketSweep(
+  Editor& editor, int threads, const SweepSettings& settings, const SweepPolicies& policies)
   : MeshEditor(editor)
-  , Targets(stops)
-  , End(editor, stops)
+  , End(editor, {})
   , Threads(editor.HasHook() ? 1 : threads)
   , FacesAtFirst(editor.Mesh().NumberOfFaces())
   , PositionsTried(
@@ -54,8 +53,15 @@ BucketSweep::BucketSweep(Editor& editor, const StopTargets& stops, int threads,
 }
 
 //------------------------------------------------------------------------------
-StopReason BucketSweep::Run(const Monitor& monitor)
+StopReason BucketSweep::Run(const StopTargets& stops, const Monitor& monitor)
 {
+  this->Targets = stops;
+  this->End.Set(stops);
+  for (VertexId v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
+  {
+    this->Known.Buckets[v] =
+      this->MeshEditor.Mesh().Outgoing(v) == None ? NeverBucket : this->Known.Buckets[v];
+  }
   if (this->MeshEditor.LimitsEdits())
   {
     return this->RunProved(monitor);
@@ -78,19 +84,6 @@ StopReason BucketSweep::Run(const Monitor& monitor)
     }
   }
   return this->End.Reason();
-}
-
-//------------------------------------------------------------------------------
-StopReason BucketSweep::RunTo(const StopTargets& stops, const Monitor& monitor)
-{
-  this->Targets = stops;
-  this->End.Set(stops);
-  for (VertexId v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
-  {
-    this->Known.Buckets[v] =
-      this->MeshEditor.Mesh().Outgoing(v) == None ? NeverBucket : this->Known.Buckets[v];
-  }
-  return this->Run(monitor);
 }
 
 //------------------------------------------------------------------------------

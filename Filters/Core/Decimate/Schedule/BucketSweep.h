@@ -61,14 +61,12 @@ class BucketSweep
 {
 public:
   /// @param editor Must keep quadrics.
-  BucketSweep(Editor& editor, const StopTargets& stops, int threads,
-    const SweepSettings& settings = {},
+  BucketSweep(Editor& editor, int threads, const SweepSettings& settings = {},
     const SweepPolicies& policies = { QuadricDeviation, VolumePreservingPosition });
 
+  /// May run again with other targets, after other stages have changed the mesh.
   /// @param monitor Receives fractions from 0 to 1.
-  StopReason Run(const Monitor& monitor);
-  /// Runs again with other targets, after other stages have changed the mesh.
-  StopReason RunTo(const StopTargets& stops, const Monitor& monitor);
+  StopReason Run(const StopTargets& stops, const Monitor& monitor);
 
 private:
   static constexpr int MaxStep = 4 * BucketsPerDoubling; ///< By which a limit is raised.
@@ -77,7 +75,6 @@ private:
   Index RemainingCollapses() const;
   StopReason RunProved(const Monitor& monitor);
   bool MakeDraft(const Monitor& monitor);
-  bool PassInBatches(const Monitor& monitor);
   bool PassInRounds(const Monitor& monitor);
   bool HasRounds() const;
   bool RunRounds(const Monitor& monitor);

@@ -36,8 +36,10 @@ StopReason BucketSweep::RunProved(const Monitor& monitor)
       this->Known.NoteAllChanged();
     }
     const bool isDone = this->RenewAll(monitor) &&
-      (this->MeshEditor.Bound() != nullptr ? this->PassInBatches(monitor)
-                                           : this->PassInRounds(monitor));
+      (this->MeshEditor.Bound() == nullptr
+          ? this->PassInRounds(monitor)
+          : BatchSweep(this->MeshEditor, this->Evaluate, this->Known, this->Threads)
+              .Run(this->WholeTask(LastBucket, this->Targets.Faces), this->End, monitor));
     if (!isDone)
     {
       return StopReason::Aborted;
@@ -59,26 +61,6 @@ bool BucketSweep::MakeDraft(const Monitor& monitor)
   return this->End.IsReached() ||
     this->MeshEditor.MakeDraft(
       this->Threads, collapse, [&](double) { return this->End.TellNow(monitor); });
-}
-
-//------------------------------------------------------------------------------
-/// False if the monitor stopped it.
-bool BucketSweep::PassInBatches(const Monitor& monitor)
-{
-  bool goesOn = true;
-  const auto goOn = [&]
-  {
-    goesOn = this->End.Tell(monitor);
-    return goesOn && !this->End.IsReached();
-  };
-  const auto pulse = [&]
-  {
-    goesOn = goesOn && this->End.TellNow(monitor);
-    return goesOn && !this->End.IsReached();
-  };
-  BatchSweep(this->MeshEditor, this->Evaluate, this->Known, this->Threads)
-    .Run(this->WholeTask(LastBucket, this->Targets.Faces), goOn, pulse);
-  return goesOn;
 }
 
 //------------------------------------------------------------------------------

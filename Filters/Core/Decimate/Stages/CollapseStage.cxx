@@ -24,9 +24,13 @@ Index FacesOfSweep(const StageInput& input)
 StopReason CollapseByQueue(
   const StageInput& input, const QueuePolicies& policies, const Monitor& monitor)
 {
-  ThesisCollapse queue(input.MeshEditor, policies, input.NormalTolerance, input.Stops);
-  return RunInStages(input.MeshEditor, input.Stops, monitor,
-    [&queue](const StopTargets& stage, const Monitor& tell) { return queue.RunTo(stage, tell); });
+  ThesisCollapse queue(input.MeshEditor, policies, input.NormalTolerance);
+  FeatureCurveStages stages(input.MeshEditor, input.Stops, monitor);
+  while (stages.Next())
+  {
+    stages.Note(queue.Run(stages.Targets(), stages.Progress()));
+  }
+  return stages.Reason();
 }
 }
 
@@ -40,11 +44,13 @@ StopReason CollapseStage(const StageInput& input, const Monitor& monitor)
 //------------------------------------------------------------------------------
 StopReason SweepTo(const StageInput& input, Index faces, const Monitor& monitor)
 {
-  StopTargets stops = input.Stops;
-  stops.Faces = faces;
-  BucketSweep sweep(input.MeshEditor, stops, input.Threads, input.Mode.Sweep,
+  BucketSweep sweep(input.MeshEditor, input.Threads, input.Mode.Sweep,
     std::get<SweepPolicies>(input.Mode.Schedule));
-  return RunInStages(input.MeshEditor, stops, monitor,
-    [&sweep](const StopTargets& stage, const Monitor& tell) { return sweep.RunTo(stage, tell); });
+  FeatureCurveStages stages(input.MeshEditor, { faces, input.Stops.Error }, monitor);
+  while (stages.Next())
+  {
+    stages.Note(sweep.Run(stages.Targets(), stages.Progress()));
+  }
+  return stages.Reason();
 }
 }

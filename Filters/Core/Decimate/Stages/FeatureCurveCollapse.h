@@ -8,7 +8,7 @@
  *               beyond the bound, or next to a vertex removed in this pass: not in this pass
  *               three curves would become a triangle: never
  *               onto the nearer of its two neighbors, else onto the other: the same edge in every
- *                 patch (Editor::CollapseTogether)
+ *                 patch (Editor::Try)
  *     passes until enough are removed; each may remove a quarter at most, so that deviations are
  *       computed again
  *

@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FeatureCurveStages.h
- * @brief Runs a loop in stages and simplifies the curves along which patches meet before each
+ * @brief Divides a run into stages and simplifies the curves along which patches meet before each
  * stage.
  *
- *     no curves: the loop at once
+ *     FeatureCurveStages stages(editor, stops, monitor)
+ *     while (stages.Next())
+ *         stages.Note(run to stages.Targets() with stages.Progress())
+ *
+ *     no curves: one stage
  *     stage:     a quarter of the faces, or the target if that is more
  *                simplify the curves to edges in proportion to the square root of the faces, while
  *                  their deviation stays
  *                    within half of the mean edge, so that curves and surface have a similar
  *                      resolution
- *                run the loop down to the faces of the stage
- *     the loop is stuck:  continue with coarser curves until they are stuck, too
+ *                run down to the faces of the stage
+ *     the run is stuck:  continue with coarser curves until they are stuck, too
  *
  * If edits are proved, edits beyond the error bound are rejected as well.
  */
@@ -20,16 +24,50 @@
 #define BoneDecimate_Core_Decimate_Stages_FeatureCurveStages_h
 
 #include "Decimate/Schedule/StopCriterion.h"
+#include "FeatureCurveCollapse.h"
 
-#include <functional>
+#include <optional>
 
 namespace bonedecimate
 {
-/// Runs towards the stops and reports fractions from 0 to 1.
-using StagedLoop = std::function<StopReason(const StopTargets& stops, const Monitor& monitor)>;
+class FeatureCurveStages
+{
+public:
+  /// @param monitor Must outlive this.
+  FeatureCurveStages(Editor& editor, const StopTargets& stops, const Monitor& monitor);
 
-StopReason RunInStages(
-  Editor& editor, const StopTargets& stops, const Monitor& monitor, const StagedLoop& loop);
+  /// Simplifies the curves for the next stage. False if there is none or the monitor requests a
+  /// stop.
+  bool Next();
+  const StopTargets& Targets() const { return this->OfStage; }
+  /// Maps fractions of the stage to those of the run.
+  const Monitor& Progress() const { return this->TellOfStage; }
+  /// Why the run of the stage ended.
+  void Note(StopReason reason);
+  StopReason Reason() const { return this->Ended; }
+
+private:
+  double RatioOf(Index faces) const;
+  Index FacesOfStageAt(double ratio) const;
+  FeatureCurveCollapse::Result CollapseFeatureCurves(Index faces);
+  double FractionAt(Index faces) const;
+  void BeginStage(Index faces);
+
+  Editor& MeshEditor;
+  StopTargets All;
+  StopTargets OfStage;
+  const Monitor& Tell;
+  Monitor TellOfStage;
+  std::optional<FeatureCurveCollapse> FeatureCurves; // none: no curves
+  Index FacesAtFirst;
+  double Ratio;   // of the faces that there were before the first edit
+  Index Gone = 0; // since the last stage
+  double Told = 0.0;
+  bool GoesOn = true;
+  bool IsStuck = false;
+  bool MayGoOn = false; // whether coarser curves may help if the run is stuck
+  StopReason Ended = StopReason::NothingLeft;
+};
 }
 
 #endif

@@ -10,7 +10,7 @@
  *                choose candidates without a common neighborhood, the least ratio first
  *                in parallel:     find moves that keep the bound, on copies            (PatchFit.h)
  *                on one thread:   apply what was found, each collapse with its moves as one proved
- *                  edit   (Editor::CollapseAndMove)
+ *                  edit   (Editor::Try)
  *     rounds until no candidate is left
  *
  * A candidate that fails is tried again only when something near it has changed.

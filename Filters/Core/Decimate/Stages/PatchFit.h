@@ -14,7 +14,7 @@
  *     all faces within the bound:   found
  *     a sweep gains too little:     given up
  *
- * The mesh does not change. What is found is proposed as one edit (Editor::CollapseAndMove), which
+ * The mesh does not change. What is found is proposed as one change (Editor::Try), which
  * is proved as a whole.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_PatchFit_h

@@ -9,10 +9,9 @@
 
 namespace bonedecimate
 {
-ThesisCollapse::ThesisCollapse(
-  Editor& editor, const QueuePolicies& policies, double tolerance, const StopTargets& stops)
+ThesisCollapse::ThesisCollapse(Editor& editor, const QueuePolicies& policies, double tolerance)
   : MeshEditor(editor)
-  , End(editor, stops)
+  , End(editor, {})
   , Policies(policies)
   , Costs(policies.Cost(editor.Mesh(), editor.Areas(), tolerance, MeanEdgeLength(editor.Mesh())))
   , Queue(editor.Mesh().NumberOfVertexSlots())
@@ -20,8 +19,9 @@ ThesisCollapse::ThesisCollapse(
 }
 
 //------------------------------------------------------------------------------
-StopReason ThesisCollapse::Run(const Monitor& monitor)
+StopReason ThesisCollapse::Run(const StopTargets& stops, const Monitor& monitor)
 {
+  this->End.Set(stops);
   if (!this->End.IsReached())
   {
     for (VertexId v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
@@ -42,13 +42,6 @@ StopReason ThesisCollapse::Run(const Monitor& monitor)
     }
   }
   return this->End.Reason();
-}
-
-//------------------------------------------------------------------------------
-StopReason ThesisCollapse::RunTo(const StopTargets& stops, const Monitor& monitor)
-{
-  this->End.Set(stops);
-  return this->Run(monitor);
 }
 
 //------------------------------------------------------------------------------

@@ -32,13 +32,11 @@ class ThesisCollapse
 {
 public:
   /// @param tolerance The thesis's w.
-  ThesisCollapse(
-    Editor& editor, const QueuePolicies& policies, double tolerance, const StopTargets& stops);
+  ThesisCollapse(Editor& editor, const QueuePolicies& policies, double tolerance);
 
+  /// May run again with other targets, after other stages have changed the mesh.
   /// @param monitor Receives fractions from 0 to 1.
-  StopReason Run(const Monitor& monitor);
-  /// Runs again with other targets, after other stages have changed the mesh.
-  StopReason RunTo(const StopTargets& stops, const Monitor& monitor);
+  StopReason Run(const StopTargets& stops, const Monitor& monitor);
 
 private:
   bool CollapseAt(VertexId vertex);

@@ -5,7 +5,7 @@
  * @brief Records what each collapse replaces, so that it can be undone: the last of the
  * edit filters, accepts everything.
  *
- *     entry:      the vertices, the new position, what Editor::UndoOne cannot
+ *     entry:      the vertices, the new position, what Editor::Undo cannot
  *                 derive, and the versions of its faces
  *     version:    a face from one of its edits to the next, with the positions of its corners then
  *     position:   of a vertex from one of its edits to the next: the vertex before the first,
