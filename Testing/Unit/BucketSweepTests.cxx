@@ -199,10 +199,9 @@ TEST(Kernels, OfEachProcessorGiveTheSameBytesOfAWholeRun)
 
 namespace
 {
-float CostWithoutKernel(
-  const EdgeQuadric& quadric, const Float3& position, float accumulatedError, float normalization)
+float CostWithoutKernel(const CollapseInput& input)
 {
-  return QuadricDeviation(quadric, position, accumulatedError, normalization);
+  return QuadricDeviation(input);
 }
 }
 

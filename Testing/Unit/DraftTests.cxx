@@ -162,7 +162,7 @@ TEST(Draft, UndoRestoresTheMeshBitForBit)
     EXPECT_EQ(editor.Totals().Draft.Status, DraftStatus::Used);
     EXPECT_EQ(StateOf(editor.Mesh()), before);
     EXPECT_EQ(editor.Totals().Collapses, 0);
-    const std::vector<Index> current = editor.Reference().CurrentVertices();
+    const std::vector<Index> current = editor.Original().CurrentVertices();
     for (std::size_t v = 0; v < current.size(); ++v)
     {
       ASSERT_EQ(current[v], static_cast<Index>(v));

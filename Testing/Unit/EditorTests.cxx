@@ -172,8 +172,8 @@ TEST_P(EveryCollapse, KeepsAreasAndPointsUpToDate)
       if (++collapses % 16 == 0)
       {
         const double distance = BruteNearest(before, edit.Position).Distance;
-        EXPECT_GE(editor.Reference().RunningError(edit.Keep), distance - 1e-12);
-        EXPECT_GE(editor.Reference().MaxError(), distance - 1e-12);
+        EXPECT_GE(editor.Original().RunningError(edit.Keep), distance - 1e-12);
+        EXPECT_GE(editor.Original().MaxError(), distance - 1e-12);
       }
     });
 }

@@ -38,7 +38,7 @@ void CollapseAll(Editor& editor)
 /// mm, to the other fragment, the least of the vertices that each vertex represents.
 std::vector<double> GapsNow(const Editor& editor, const GapRule& first)
 {
-  const std::vector<Index> current = editor.Reference().CurrentVertices();
+  const std::vector<Index> current = editor.Original().CurrentVertices();
   std::vector<double> gaps(current.size(), std::numeric_limits<double>::infinity());
   for (std::size_t v = 0; v < current.size(); ++v)
   {

@@ -43,7 +43,8 @@ EdgeResult Reference(const EdgeBatch& batch, std::size_t lane)
   const Freedom freedom = static_cast<Freedom>(batch.Freedoms[lane]);
   const EdgeQuadric quadric = QuadricOfEdge(*batch.First, *batch.Others[lane], batch.PerUnit);
   const Float3 x = VolumePreservingPosition(quadric, freedom);
-  const float cost = QuadricDeviation(quadric, x, batch.AccumulatedErrors[lane], batch.CostFactor);
+  const float cost =
+    QuadricDeviation({ quadric, x, batch.AccumulatedErrors[lane], batch.CostFactor });
   const bool counts = freedom != Freedom::Nowhere && cost < Infinite;
   return { counts ? cost : Infinite, quadric.Half + x };
 }
@@ -254,7 +255,7 @@ TEST(QuadricDeviation, GrowsWithTheDistanceToThePlanesAndWithTheAccumulatedError
   other.Position = Vector3(1.0, 0.0, 0.0);
   const EdgeQuadric quadric = QuadricOfEdge(flat, other, 1.0);
   const auto costAt = [&](float height, float accumulated) {
-    return QuadricDeviation(quadric, { 0.0F, 0.0F, height }, accumulated, 1.0F);
+    return QuadricDeviation({ quadric, { 0.0F, 0.0F, height }, accumulated, 1.0F });
   };
   EXPECT_LT(costAt(0.0F, 0.0F), costAt(0.1F, 0.0F));
   EXPECT_LT(costAt(0.1F, 0.0F), costAt(0.2F, 0.0F));

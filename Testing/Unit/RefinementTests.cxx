@@ -46,7 +46,8 @@ public:
   {
     BucketSweep(this->MeshEditor, 1).Run({ this->Original.NumberOfFaces() / divisor, 0.0 }, GoOn);
     this->Back.Begin(this->MeshEditor.Mesh(), 1, GoOn);
-    this->Fit.Distribute(this->MeshEditor.Mesh(), this->MeshEditor.CurrentVertices(), 1, GoOn);
+    this->Fit.Distribute(
+      this->MeshEditor.Mesh(), this->MeshEditor.Original().CurrentOfInitial(), 1, GoOn);
     this->MeshEditor.PrepareCollapses(1);
   }
 

@@ -127,7 +127,7 @@ TEST_P(EachSample, IsInTheListOfExactlyOneFaceAndAllRepresentTheWholeArea)
     const HalfEdgeMesh original = editor.Mesh();
     BucketSweep(editor, 1).Run({ original.NumberOfFaces() / divisor, 0.0 }, GoOn);
     Samples samples(original);
-    ASSERT_TRUE(samples.Distribute(editor.Mesh(), editor.CurrentVertices(), 1, GoOn));
+    ASSERT_TRUE(samples.Distribute(editor.Mesh(), editor.Original().CurrentOfInitial(), 1, GoOn));
     const std::vector<int> one(static_cast<std::size_t>(samples.Count()), 1);
     EXPECT_EQ(TimesListed(samples, editor.Mesh()), one);
     double area = 0.0; // squares of the unit
@@ -148,7 +148,7 @@ TEST_P(EachSample, LiesOnTheOriginalBeforeAnythingIsCollapsed)
   const Editor editor(clean, EditorSettings{ false, false, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   Samples samples(mesh);
-  ASSERT_TRUE(samples.Distribute(mesh, editor.CurrentVertices(), 1, GoOn));
+  ASSERT_TRUE(samples.Distribute(mesh, editor.Original().CurrentOfInitial(), 1, GoOn));
   for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
     samples.VisitFace(face,
@@ -169,9 +169,9 @@ TEST(Samples, AreTheSameForAnyNumberOfThreads)
   const HalfEdgeMesh original = editor.Mesh();
   BucketSweep(editor, 1).Run({ original.NumberOfFaces() / 8, 0.0 }, GoOn);
   Samples one(original);
-  one.Distribute(editor.Mesh(), editor.CurrentVertices(), 1, GoOn);
+  one.Distribute(editor.Mesh(), editor.Original().CurrentOfInitial(), 1, GoOn);
   Samples four(original);
-  four.Distribute(editor.Mesh(), editor.CurrentVertices(), 4, GoOn);
+  four.Distribute(editor.Mesh(), editor.Original().CurrentOfInitial(), 4, GoOn);
   ASSERT_EQ(one.Count(), four.Count());
   for (Index s = 0; s < one.Count(); ++s)
   {

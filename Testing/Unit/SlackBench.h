@@ -29,12 +29,12 @@ struct Bench
   explicit Bench(double error = Limit, const Surface& surface = Icosphere(3, 10.0))
     : Cleaned(Clean(surface, true))
     , MeshEditor(this->Cleaned, Guarded(error))
-    , Fit(this->MeshEditor.BoundedMesh(), false, Limits(error))
-    , Back(this->MeshEditor.BoundedMesh())
+    , Fit(this->MeshEditor.Original().BoundedMesh(), false, Limits(error))
+    , Back(this->MeshEditor.Original().BoundedMesh())
   {
     BucketSweep(this->MeshEditor, 1).Run({ 0, 0.0 }, Always);
     this->Back.Begin(this->Mesh(), 1, Always);
-    this->Fit.Distribute(this->Mesh(), this->MeshEditor.CurrentVertices(), 1, Always);
+    this->Fit.Distribute(this->Mesh(), this->MeshEditor.Original().CurrentOfInitial(), 1, Always);
     this->MeshEditor.PrepareCollapses(1);
   }
 

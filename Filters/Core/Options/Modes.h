@@ -41,6 +41,7 @@ enum class StopReason : int;
 class FaceAreas;
 class HalfEdgeMesh;
 class VertexCost;
+struct CollapseInput;
 struct EdgeNeighborhood;
 struct EdgeQuadric;
 struct Float3;
@@ -73,8 +74,7 @@ struct QueuePolicies
 /// called for one edge after the other.
 struct SweepPolicies
 {
-  float (*Cost)(const EdgeQuadric& quadric, const Float3& position, float accumulatedError,
-    float normalization);
+  float (*Cost)(const CollapseInput& input);
   Float3 (*Placement)(const EdgeQuadric& quadric, Freedom freedom);
 };
 

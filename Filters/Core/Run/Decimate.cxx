@@ -131,9 +131,9 @@ void SeparatePoints(
 /// mm; not a number if no distance was recorded or measured.
 double RunningErrorOf(const Editor& editor, const std::vector<double>& errors)
 {
-  if (editor.Reference().RecordsDistances())
+  if (editor.Original().RecordsDistances())
   {
-    return editor.Reference().MaxError();
+    return editor.Original().MaxError();
   }
   return errors.empty() ? std::numeric_limits<double>::quiet_NaN()
                         : *std::max_element(errors.begin(), errors.end());
@@ -145,7 +145,7 @@ Surface ExtractResult(const RunTask& task, const PreparedInput& prepared, const 
   bool isAborted, const Monitor& monitor, Result& result)
 {
   const int threads = task.Effective.NumberOfThreads;
-  const Original& original = editor.Reference();
+  const Original& original = editor.Original();
   const bool measures = task.Effective.MeasureDistances || original.RecordsDistances();
   const ExtractOptions options = { task.Rounding, !isAborted && measures,
     !isAborted && task.Inputs.WantsOrigins, threads, task.Inputs.Labels, task.Inputs.LabelMap };

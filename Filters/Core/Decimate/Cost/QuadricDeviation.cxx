@@ -7,16 +7,17 @@
 
 namespace bonedecimate
 {
-float QuadricDeviation(
-  const EdgeQuadric& quadric, const Float3& x, float accumulatedError, float normalization)
+float QuadricDeviation(const CollapseInput& input)
 {
+  const EdgeQuadric& quadric = input.Quadric;
+  const float accumulatedError = input.AccumulatedError;
   const float s = quadric.M.Trace();
   const float least = s * quadric.Half.Dot(quadric.Half) * FlatRatio;
-  const float q = std::max(0.0F, quadric.At(x)) + least;
+  const float q = std::max(0.0F, quadric.At(input.Position)) + least;
   const float deviation = std::sqrt(std::sqrt(s) * q * std::sqrt(q));
   const float accumulated =
     (0.5F * AccumulatedErrorWeight) * s * accumulatedError * std::sqrt(accumulatedError);
-  return (deviation + accumulated) * normalization;
+  return (deviation + accumulated) * input.Normalization;
 }
 
 //------------------------------------------------------------------------------

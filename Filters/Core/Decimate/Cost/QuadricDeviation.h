@@ -27,7 +27,7 @@
 #ifndef BoneDecimate_Core_Decimate_Cost_QuadricDeviation_h
 #define BoneDecimate_Core_Decimate_Cost_QuadricDeviation_h
 
-#include "Decimate/Placement/EdgeQuadric.h"
+#include "CollapseInput.h"
 
 namespace bonedecimate
 {
@@ -35,10 +35,7 @@ constexpr float AccumulatedErrorWeight = 0.03F;
 constexpr float FlatRatio = 1e-8F; ///< Fraction of S length^2.
 
 /// Units of the mesh to the power of 3.5, times the normalization.
-/// @param x From the middle of the edge, units.
-/// @param accumulatedError The error of either end, the larger, units.
-float QuadricDeviation(
-  const EdgeQuadric& quadric, const Float3& x, float accumulatedError, float normalization);
+float QuadricDeviation(const CollapseInput& input);
 
 /// c: length^-3.5, so that costs do not depend on how the unit was rounded.
 /// @param length Mean of the edges, units.

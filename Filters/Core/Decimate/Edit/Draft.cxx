@@ -45,7 +45,7 @@ bool IsAsAtFirst(const HalfEdgeMesh& first, const HalfEdgeMesh& now)
 Draft::Draft(Editor& editor, int threads)
   : Target(editor)
   , Threads(threads)
-  , IsOriginal(IsAsAtFirst(editor.BoundedMesh(), editor.Half))
+  , IsOriginal(IsAsAtFirst(editor.Source.BoundedMesh(), editor.Half))
   , Journal(std::make_shared<EditJournal>(editor.Half))
   , Limits(this->LimitsAtFirst())
   , Failures(static_cast<std::size_t>(editor.Half.NumberOfVertexSlots()), 0)
@@ -57,7 +57,7 @@ Draft::Draft(Editor& editor, int threads)
   {
     this->State.emplace(editor.Guard->CheckOf(*this->Journal));
     this->Enclosing =
-      this->FindEnclosing(this->IsOriginal ? &editor.BoundedTree(threads) : nullptr);
+      this->FindEnclosing(this->IsOriginal ? &editor.Source.BoundedTree(threads) : nullptr);
   }
   this->ExchangeFilters();
 }
@@ -70,8 +70,8 @@ ErrorLimits Draft::LimitsAtFirst() const
   ErrorLimits limits = this->Target.BoundFilter->Limits();
   if (this->Target.Guard)
   {
-    limits.Reduce(
-      Separations(this->Target.BoundedMesh(), ErrorsOfSeparation * limits.Most(), this->Threads),
+    limits.Reduce(Separations(this->Target.Source.BoundedMesh(), ErrorsOfSeparation * limits.Most(),
+                    this->Threads),
       this->IsOriginal ? LessThanHalf : 0.0);
   }
   return limits;
@@ -86,8 +86,8 @@ void Draft::ExchangeFilters()
   {
     if (filter == editor.BoundFilter)
     {
-      const auto draftFilter = std::make_shared<DraftFilter>(
-        *editor.BoundFilter, this->Limits, editor.Half, editor.CurrentVertices(), this->Threads);
+      const auto draftFilter = std::make_shared<DraftFilter>(*editor.BoundFilter, this->Limits,
+        editor.Half, editor.Source.CurrentOfInitial(), this->Threads);
       if (editor.Guard && !this->IsOriginal)
       {
         draftFilter->KeepUnproved(editor.Half, this->Threads);
@@ -135,7 +135,7 @@ bool Draft::Prove(const Monitor& monitor)
 /// The cheaper checks first: there is less left to check then.
 std::vector<Index> Draft::FindRejectedEdits(BulkProof& proof)
 {
-  std::vector<Index> edits = proof.FindFailures(this->Target.CurrentVertices());
+  std::vector<Index> edits = proof.FindFailures(this->Target.Source.CurrentOfInitial());
   if (edits.empty() && this->State)
   {
     edits = this->State->FindRejected(this->Threads);

@@ -36,7 +36,6 @@ struct Workspace
   EdgeNeighborhood Around; ///< Surroundings of the edge gathered last; Edge is None if rejected.
   FanStorage Faces;        ///< The fan of the edge gathered last.
   SurfaceChange Change;    ///< The change that was checked last. The schedule sets who asks for it.
-  double Reach = 0.0;      ///< mm around the faces that an accepted change replaces: what was read.
   Tally Counted;
   /// Pending data of each filter; made for the first edit.
   std::vector<std::shared_ptr<EditFilter::Pending>> Pending;

@@ -34,14 +34,17 @@ Editor::Editor(const CleanSurface& clean, const EditorSettings& settings)
 Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
   const Monitor& monitor)
   : Half(std::move(mesh))
-  , Continued(settings.Reference)
   , KeepsQuadrics(settings.KeepsQuadrics)
-  , Source(clean, settings.RecordsDistances)
+  , Source(clean, settings.RecordsDistances, settings.Reference)
   , KnowsAround(settings.Reference == nullptr || settings.EditZone)
 {
   if (!settings.SmoothedPositions.empty())
   {
-    this->TakeSmoothedPositions(settings.SmoothedPositions);
+    this->Source.KeepUnsmoothed(this->Half, settings.SmoothedPositions);
+    for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+    {
+      this->Half.Move(v, settings.SmoothedPositions[v]);
+    }
   }
   if (settings.KeepsAreas)
   {
@@ -56,9 +59,9 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
   {
     this->Source.Tree(settings.Threads, goesOn);
   }
-  if ((settings.KeepsInitialMesh || settings.Bound) && this->Continued == nullptr)
+  if ((settings.KeepsInitialMesh || settings.Bound) && settings.Reference == nullptr)
   {
-    this->First = std::make_unique<HalfEdgeMesh>(this->Half);
+    this->Source.KeepInitial(this->Half);
   }
   this->AddFilters(settings, monitor);
   const std::vector<char> others = this->NearUnproved(settings.IsConstrained);
@@ -73,17 +76,6 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
 }
 
 Editor::~Editor() = default;
-
-//------------------------------------------------------------------------------
-void Editor::TakeSmoothedPositions(const std::vector<Vector3>& positions)
-{
-  this->Unsmoothed = std::make_unique<HalfEdgeMesh>(this->Half);
-  for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
-  {
-    this->Half.Move(v, positions[v]);
-  }
-  this->Source.RecordDisplacements(positions);
-}
 
 //------------------------------------------------------------------------------
 /// In order: an edit is rejected by the first one. What is checked quickly or rejects most comes
@@ -151,9 +143,9 @@ void Editor::AddRecorder()
 {
   this->Recorder = std::make_shared<EditRecorder>();
   this->Filters.push_back(this->Recorder);
-  if (this->Unsmoothed)
+  if (this->Source.IsSmoothed())
   {
-    this->Recorder->BeginPatch(*this->Unsmoothed);
+    this->Recorder->BeginPatch(this->Source.BoundedMesh());
     this->Recorder->EndPatch(this->Half);
   }
 }
@@ -165,7 +157,7 @@ void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor&
     [&](const Surface& joined)
     {
       Surface smoothed;
-      if (this->Unsmoothed)
+      if (this->Source.IsSmoothed())
       {
         smoothed = joined;
         for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
@@ -173,9 +165,9 @@ void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor&
           smoothed.Points[v] = this->Half.Position(v);
         }
       }
-      return std::make_shared<IntersectionGuard>(this->Half, this->Unsmoothed ? smoothed : joined,
-        WrittenBy(settings, this->Source.AtFirst()), settings.Bound->Error, settings.GuardsGaps,
-        settings.Threads, monitor);
+      return std::make_shared<IntersectionGuard>(this->Half,
+        this->Source.IsSmoothed() ? smoothed : joined, WrittenBy(settings, this->Source.AtFirst()),
+        settings.Bound->Error, settings.GuardsGaps, settings.Threads, monitor);
     });
   this->Filters.push_back(this->Guard);
 }
@@ -184,17 +176,18 @@ void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor&
 void Editor::AddErrorBound(const EditorSettings& settings)
 {
   ErrorBoundSettings bound = *settings.Bound;
-  if (this->Continued != nullptr)
+  const ReferenceMesh* reference = this->Source.Reference();
+  if (reference != nullptr)
   {
-    this->BoundFilter = std::make_shared<ErrorBound>(*this->Continued, this->Half, bound);
-    this->Unproved = ProveStart(*this->BoundFilter, *this->Continued, this->Half,
+    this->BoundFilter = std::make_shared<ErrorBound>(*reference, this->Half, bound);
+    this->Unproved = ProveStart(*this->BoundFilter, *reference, this->Half,
       settings.EditZone ? &*settings.EditZone : nullptr, settings.Threads);
   }
   else
   {
     bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
-    this->BoundFilter =
-      std::make_shared<ErrorBound>(this->BoundedMesh(), this->Source.Tree(settings.Threads), bound);
+    this->BoundFilter = std::make_shared<ErrorBound>(
+      this->Source.BoundedMesh(), this->Source.Tree(settings.Threads), bound);
   }
   this->Filters.push_back(this->BoundFilter);
 }
@@ -224,6 +217,43 @@ Index Editor::ConstrainVertices(
     count += isConstrained(v) && this->Half.OriginalVertex(v) == v ? 1 : 0;
   }
   return count;
+}
+
+//------------------------------------------------------------------------------
+/// Adds the corners of faces that may be what a triangle of the reference is near to, although this
+/// was not proved.
+/// @param constrained For each vertex, whether it is constrained; empty: none is.
+std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
+{
+  constrained.resize(this->Unproved.empty()
+      ? constrained.size()
+      : static_cast<std::size_t>(this->Half.NumberOfVertexSlots()),
+    0);
+  const ReferenceMesh* reference = this->Source.Reference();
+  for (const FaceId triangle : this->Unproved)
+  {
+    double squaredReach = 0.0;
+    Vector3 middle = Vector3::Zero();
+    for (const Index corner : reference->Mesh.Corners(triangle))
+    {
+      middle += reference->Mesh.Position(corner) / 3.0;
+    }
+    for (const Index corner : reference->Mesh.Corners(triangle))
+    {
+      const double reach =
+        (reference->Mesh.Position(corner) - middle).norm() + this->BoundFilter->LimitAt(corner);
+      squaredReach = std::max(squaredReach, reach * reach);
+    }
+    this->Source.Tree().VisitNear(middle, squaredReach,
+      [&](Index face)
+      {
+        for (const Index corner : this->Half.Corners(face))
+        {
+          constrained[corner] = 1;
+        }
+      });
+  }
+  return constrained;
 }
 
 //------------------------------------------------------------------------------

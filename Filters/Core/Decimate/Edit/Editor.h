@@ -134,38 +134,12 @@ public:
   /// from the local origin.
   EditLog TakeLog() { return this->Recorder->Take(); }
 
-  const Original& Reference() const { return this->Source; }
-  /// What the result is to be like: the mesh before the first edit, smoothed, or the reference;
-  /// only with KeepsInitialMesh or an error bound.
-  const HalfEdgeMesh& InitialMesh() const
-  {
-    return this->Continued != nullptr ? this->Continued->Mesh : *this->First;
-  }
-  /// The mesh that the error bound refers to: the one before the first edit, not smoothed, or the
-  /// reference; only with an error bound.
-  const HalfEdgeMesh& BoundedMesh() const
-  {
-    return this->Unsmoothed ? *this->Unsmoothed : this->InitialMesh();
-  }
-  /// Bounding tree of BoundedMesh().
-  const BoundingTree& BoundedTree(int threads = 1) const
-  {
-    return this->Continued != nullptr ? this->Continued->Tree : this->Source.Tree(threads);
-  }
-  /// For each vertex of InitialMesh(), the vertex into which it was merged, or one near it.
-  std::vector<Index> CurrentVertices() const;
-  /// For each vertex of the mesh, a triangle of InitialMesh() near it; null if both have the same
-  /// vertices.
-  const std::vector<Index>* NearInitial() const
-  {
-    return this->Continued != nullptr ? &this->Continued->NearTriangle : nullptr;
-  }
+  const bonedecimate::Original& Original() const { return this->Source; }
 
 private:
   friend class Draft;
 
   void AddFilters(const EditorSettings& settings, const Monitor& monitor);
-  void TakeSmoothedPositions(const std::vector<Vector3>& positions);
   void AddErrorBound(const EditorSettings& settings);
   void AddRecorder();
   void AddIntersectionGuard(const EditorSettings& settings, const Monitor& monitor);
@@ -198,13 +172,10 @@ private:
   Decision FilterTogether(const std::vector<Edit>& edits);
 
   HalfEdgeMesh Half;
-  std::unique_ptr<const HalfEdgeMesh> First;
-  std::unique_ptr<const HalfEdgeMesh> Unsmoothed; // for the error bound; null: First
-  const ReferenceMesh* Continued;                 // null: the mesh is the original
-  std::vector<Index> Unproved;                    // triangles of the reference
+  std::vector<Index> Unproved; // triangles of the reference
   std::optional<FaceAreas> FaceGeometry;
   bool KeepsQuadrics;
-  Original Source;
+  bonedecimate::Original Source;
   std::shared_ptr<FragmentGuard> Fragments;
   std::shared_ptr<ErrorBound> BoundFilter;
   std::shared_ptr<IntersectionGuard> Guard;

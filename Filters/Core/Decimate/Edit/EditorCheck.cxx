@@ -162,10 +162,10 @@ Decision Editor::RunFilters(Workspace& work) const
   {
     decision = this->Filters[i]->Check(this->Half, work.Change, *work.Pending[i]);
   }
-  work.Reach = 0.0;
+  work.Change.Reach = 0.0;
   for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
   {
-    work.Reach = std::max(work.Reach, this->Filters[i]->Reach(*work.Pending[i]));
+    work.Change.Reach = std::max(work.Change.Reach, this->Filters[i]->Reach(*work.Pending[i]));
   }
   return decision;
 }

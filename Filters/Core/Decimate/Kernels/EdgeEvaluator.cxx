@@ -21,7 +21,7 @@ void EvaluateOne(
   const EdgeQuadric quadric = QuadricOfEdge(*batch.First, *batch.Others[lane], batch.PerUnit);
   const Float3 position = policies.Placement(quadric, freedom);
   const float cost =
-    policies.Cost(quadric, position, batch.AccumulatedErrors[lane], batch.CostFactor);
+    policies.Cost({ quadric, position, batch.AccumulatedErrors[lane], batch.CostFactor });
   const Float3 move = quadric.Half + position;
   // A cost that is not a number counts as never.
   results.Costs[lane] = freedom != Freedom::Nowhere && cost < Never ? cost : Never;

@@ -172,8 +172,8 @@ bool BatchSweep::IsUpToDate(Candidate& candidate) const
   const Box& own = candidate.Changes;
   const auto isApart = [&](const Box& other)
   {
-    return (other.Low - own.High).maxCoeff() > candidate.Space.Reach ||
-      (own.Low - other.High).maxCoeff() > candidate.Space.Reach;
+    return (other.Low - own.High).maxCoeff() > candidate.Space.Change.Reach ||
+      (own.Low - other.High).maxCoeff() > candidate.Space.Change.Reach;
   };
   return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&
     this->MeshEditor.StillAccepts(candidate.Space);

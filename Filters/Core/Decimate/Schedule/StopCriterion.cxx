@@ -45,7 +45,7 @@ void StopCriterion::Set(const StopTargets& stops)
 //------------------------------------------------------------------------------
 bool StopCriterion::ErrorIsReached() const
 {
-  return this->MeshEditor.Reference().MaxError() >= this->Targets.Error;
+  return this->MeshEditor.Original().MaxError() >= this->Targets.Error;
 }
 
 //------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ namespace
 /// mm, of each vertex of the original; empty unless the error bound refers to it.
 std::vector<float> LimitsOf(const Editor& editor, const HalfEdgeMesh& original)
 {
-  return editor.Bound() != nullptr && &original == &editor.BoundedMesh()
+  return editor.Bound() != nullptr && &original == &editor.Original().BoundedMesh()
     ? editor.Bound()->LimitsOfVertices()
     : std::vector<float>();
 }
@@ -25,7 +25,7 @@ Refinement::Refinement(
   : MeshEditor(editor)
   , Fit(original, editor.Bound() == nullptr, LimitsOf(editor, original),
       editor.LimitsEdits() ? 0.0 : shapeWeight)
-  , Back(original, editor.NearInitial())
+  , Back(original, editor.Original().NearInitial())
   , Threads(threads)
 {
 }
@@ -35,8 +35,8 @@ bool Refinement::Begin(const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   this->IsSettled = this->Back.Begin(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
-    this->Fit.Distribute(
-      mesh, this->MeshEditor.CurrentVertices(), this->Threads, PartOf(monitor, 0.1, 1.0));
+    this->Fit.Distribute(mesh, this->MeshEditor.Original().CurrentOfInitial(), this->Threads,
+      PartOf(monitor, 0.1, 1.0));
   return this->IsSettled;
 }
 

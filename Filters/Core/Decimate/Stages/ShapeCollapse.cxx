@@ -99,7 +99,7 @@ void ShapeCollapse::AddSearched(const Vector3& start, const Vector3& end)
   const Vector3 found = this->Ring.Search(from, this->Enough, cosine);
   if (cosine < least)
   {
-    const BoundingTree& tree = this->MeshEditor.BoundedTree();
+    const BoundingTree& tree = this->MeshEditor.Original().BoundedTree();
     const auto onOriginal = [&tree](const Vector3& p)
     { return tree.FindNearest(p).Point.Position; };
     const VertexId keep = this->Space.Around.Start;

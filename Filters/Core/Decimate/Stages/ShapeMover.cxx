@@ -78,7 +78,7 @@ void ShapeMover::Move(VertexId vertex)
   {
     return;
   }
-  const BoundingTree& tree = this->MeshEditor.BoundedTree();
+  const BoundingTree& tree = this->MeshEditor.Original().BoundedTree();
   const Vector3 there = tree.FindNearest(found).Point.Position;
   const Vector3 offset = from - tree.FindNearest(from).Point.Position;
   for (const Vector3& position : { Vector3(there + offset), there, found,

@@ -44,9 +44,10 @@ SlackFit::SlackFit(const Editor& editor, const Samples& samples, const BackHints
   : MeshEditor(editor)
   , Fit(samples)
   , Back(hints)
-  , Tree(editor.BoundedTree())
-  , Spacing(SpacingInEdges * editor.BoundedMesh().LengthAtFirst())
-  , Grid(std::exp2(std::floor(std::log2(editor.BoundedMesh().LengthAtFirst())) - GridBits))
+  , Tree(editor.Original().BoundedTree())
+  , Spacing(SpacingInEdges * editor.Original().BoundedMesh().LengthAtFirst())
+  , Grid(
+      std::exp2(std::floor(std::log2(editor.Original().BoundedMesh().LengthAtFirst())) - GridBits))
 {
 }
 

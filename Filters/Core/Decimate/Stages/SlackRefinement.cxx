@@ -21,8 +21,8 @@ constexpr double FlippedAt = 0.2;
 
 SlackRefinement::SlackRefinement(Editor& editor, int threads)
   : MeshEditor(editor)
-  , Fit(editor.BoundedMesh(), false, editor.Bound()->LimitsOfVertices())
-  , Back(editor.BoundedMesh(), editor.NearInitial())
+  , Fit(editor.Original().BoundedMesh(), false, editor.Bound()->LimitsOfVertices())
+  , Back(editor.Original().BoundedMesh(), editor.Original().NearInitial())
   , Threads(editor.HasHook() ? 1 : threads)
 {
 }
@@ -32,8 +32,8 @@ bool SlackRefinement::Begin(const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   this->IsSettled = this->Back.Begin(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
-    this->Fit.Distribute(
-      mesh, this->MeshEditor.CurrentVertices(), this->Threads, PartOf(monitor, 0.1, 1.0));
+    this->Fit.Distribute(mesh, this->MeshEditor.Original().CurrentOfInitial(), this->Threads,
+      PartOf(monitor, 0.1, 1.0));
   return this->IsSettled;
 }
 

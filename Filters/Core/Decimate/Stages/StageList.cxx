@@ -30,7 +30,8 @@ StopReason RunStages(StageInput input, const Monitor& monitor)
     return stop.Reason();
   }
   input.FacesAtStart = input.MeshEditor.Mesh().NumberOfFaces();
-  input.InitialMesh = input.Mode.KeepsInitialMesh ? &input.MeshEditor.InitialMesh() : nullptr;
+  input.InitialMesh =
+    input.Mode.KeepsInitialMesh ? &input.MeshEditor.Original().InitialMesh() : nullptr;
   StopReason reason = StopReason::NotRun;
   // A refinement does so itself, before it ends.
   const bool improvesShape = input.ImprovesShape() && !input.Mode.Refines();

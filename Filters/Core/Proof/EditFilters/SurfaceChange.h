@@ -58,6 +58,8 @@ struct SurfaceChange
   double VolumeChange = 0.0; ///< mm^3, of that component.
   FaceId OtherGoneFace;      ///< The other face that a collapse removes; None on a boundary.
 
+  double Reach = 0.0; ///< mm, around its faces: what the filters that accepted it have read.
+
   // Filled only if a filter needs them.
   std::vector<Index> OldFaces;
   std::vector<Face> NewFaces; // their ids are among the old ones, or those of removed faces

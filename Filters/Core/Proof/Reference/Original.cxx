@@ -8,8 +8,9 @@
 
 namespace bonedecimate
 {
-Original::Original(const CleanSurface& clean, bool recordDistances)
+Original::Original(const CleanSurface& clean, bool recordDistances, const ReferenceMesh* reference)
   : Clean(clean)
+  , Continued(reference)
   , MergedInto(clean.Surface.Points.size())
 {
   std::iota(this->MergedInto.begin(), this->MergedInto.end(), 0);
@@ -73,12 +74,19 @@ void Original::Make(VertexId made, VertexId start, VertexId end, const Vector3& 
 }
 
 //------------------------------------------------------------------------------
-void Original::RecordDisplacements(const std::vector<Vector3>& positions)
+void Original::KeepUnsmoothed(const HalfEdgeMesh& mesh, const std::vector<Vector3>& positions)
 {
+  this->Unsmoothed = std::make_unique<HalfEdgeMesh>(mesh);
   for (std::size_t v = 0; this->RecordsDistances() && v < positions.size(); ++v)
   {
     this->LookUp(static_cast<Index>(v), positions[v]);
   }
+}
+
+//------------------------------------------------------------------------------
+void Original::KeepInitial(const HalfEdgeMesh& mesh)
+{
+  this->Initial = std::make_unique<HalfEdgeMesh>(mesh);
 }
 
 //------------------------------------------------------------------------------
@@ -120,5 +128,21 @@ std::vector<Index> Original::CurrentVertices() const
   std::transform(this->AtSplits.begin(), this->AtSplits.end(), all.begin(),
     [&current](Index v) { return current[static_cast<std::size_t>(v)]; });
   return all;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> Original::CurrentOfInitial() const
+{
+  std::vector<Index> current = this->CurrentVertices();
+  if (this->Continued == nullptr)
+  {
+    return current;
+  }
+  std::vector<Index> ofReference = this->Continued->NearVertex;
+  for (Index& vertex : ofReference)
+  {
+    vertex = current[vertex];
+  }
+  return ofReference;
 }
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Original.h
- * @brief The original surface, and its relation to the vertices of the current mesh.
+ * @brief The original of a run: the surface, the meshes that the result is compared with, and the
+ * relation of both to the vertices of the current mesh.
  */
 #ifndef BoneDecimate_Core_Proof_Reference_Original_h
 #define BoneDecimate_Core_Proof_Reference_Original_h
@@ -10,7 +11,10 @@
 #include "Base/LargeArray.h"
 #include "Geometry/BoundingTree.h"
 #include "Mesh/Cleaning.h"
+#include "Mesh/HalfEdgeMesh.h"
+#include "ReferenceMesh.h"
 
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -24,8 +28,10 @@ public:
    * @param clean Must outlive this.
    * @param recordDistances Whether Merge measures the distance of each new vertex;
    * otherwise there are no errors.
+   * @param reference The original, if the surface is itself a result. Null: the surface.
    */
-  Original(const CleanSurface& clean, bool recordDistances);
+  Original(
+    const CleanSurface& clean, bool recordDistances, const ReferenceMesh* reference = nullptr);
   Original(CleanSurface&&, bool) = delete;
 
   /// Records that two vertices became one. Measures its distance if distances
@@ -42,8 +48,40 @@ public:
   /// distance if distances are recorded.
   void Make(VertexId made, VertexId start, VertexId end, const Vector3& position);
 
-  /// Measures the distances of moved vertices if distances are recorded.
-  void RecordDisplacements(const std::vector<Vector3>& positions);
+  /// Keeps the mesh before it is smoothed, and measures the distances to these positions if
+  /// distances are recorded.
+  void KeepUnsmoothed(const HalfEdgeMesh& mesh, const std::vector<Vector3>& positions);
+  /// Keeps the mesh before its first edit, smoothed or not; not where there is a reference.
+  void KeepInitial(const HalfEdgeMesh& mesh);
+
+  /// Null: the surface is the original.
+  const ReferenceMesh* Reference() const { return this->Continued; }
+  bool IsSmoothed() const { return this->Unsmoothed != nullptr; }
+  /// What the result is to be like: the mesh before the first edit, smoothed, or the reference;
+  /// only where it is kept.
+  const HalfEdgeMesh& InitialMesh() const
+  {
+    return this->Continued != nullptr ? this->Continued->Mesh : *this->Initial;
+  }
+  /// The mesh that the error bound refers to: the one before the first edit, not smoothed, or the
+  /// reference; only where it is kept.
+  const HalfEdgeMesh& BoundedMesh() const
+  {
+    return this->Unsmoothed ? *this->Unsmoothed : this->InitialMesh();
+  }
+  /// Bounding tree of BoundedMesh().
+  const BoundingTree& BoundedTree(int threads = 1) const
+  {
+    return this->Continued != nullptr ? this->Continued->Tree : this->Tree(threads);
+  }
+  /// For each vertex of InitialMesh(), the vertex into which it was merged, or one near it.
+  std::vector<Index> CurrentOfInitial() const;
+  /// For each vertex of the mesh, a triangle of InitialMesh() near it; null if both have the same
+  /// vertices.
+  const std::vector<Index>* NearInitial() const
+  {
+    return this->Continued != nullptr ? &this->Continued->NearTriangle : nullptr;
+  }
 
   /// Whether the position differs from that of the input point in any bit.
   bool HasMoved(VertexId vertex, const Vector3& position) const
@@ -75,6 +113,9 @@ private:
   void LookUp(VertexId vertex, const Vector3& position);
 
   const CleanSurface& Clean;
+  const ReferenceMesh* Continued;
+  std::unique_ptr<const HalfEdgeMesh> Initial;
+  std::unique_ptr<const HalfEdgeMesh> Unsmoothed; // null: it is not smoothed
   mutable std::once_flag TreeIsBuilt;
   mutable std::optional<BoundingTree> Triangles;
   // for each vertex the one into which it was merged before the first split; empty: none yet

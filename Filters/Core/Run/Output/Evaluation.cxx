@@ -163,7 +163,7 @@ private:
     };
     if (this->Run.Reference == nullptr)
     {
-      this->Output.Report.OutputToInput = measure(this->Run.MeshEditor.Reference().Tree(threads));
+      this->Output.Report.OutputToInput = measure(this->Run.MeshEditor.Original().Tree(threads));
       return;
     }
     const BoundingTree tree(this->LocalReference, threads);
@@ -191,7 +191,7 @@ private:
     const int threads = this->Requested.NumberOfThreads;
     if (this->Parts && this->Progress.GoesOn())
     {
-      this->Parts->MeasureThickness(this->Run.MeshEditor.Reference().Tree(threads), tree,
+      this->Parts->MeasureThickness(this->Run.MeshEditor.Original().Tree(threads), tree,
         this->Run.LocalResult, threads, this->Output.Report.Parts);
     }
   }

@@ -254,12 +254,12 @@ std::vector<Vector3> Extract(const Surface& input, const CleanSurface& clean, co
   {
     CopyBoundaryLabels(mesh, clean, *options.LabelMap, result);
   }
-  Remains remains = { clean, editor.Reference(), {},
+  Remains remains = { clean, editor.Original(), {},
     NumberVertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), result.Surface.Triangles,
       options.Threads),
     {} };
   const std::vector<Index>& vertices = remains.Vertices;
-  std::vector<Index> current = editor.Reference().CurrentVertices();
+  std::vector<Index> current = editor.Original().CurrentVertices();
   std::for_each(
     current.begin(), current.end(), [&](Index& vertex) { vertex = mesh.OriginalVertex(vertex); });
   const std::vector<Index> counts = CountPoints(clean, current);
