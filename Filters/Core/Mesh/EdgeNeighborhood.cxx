@@ -88,6 +88,19 @@ bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex)
 }
 
 //------------------------------------------------------------------------------
+std::vector<Index> EdgeNeighborhood::Faces() const
+{
+  std::vector<Index> faces;
+  for (const HalfEdgeId h : this->Corners)
+  {
+    faces.push_back(HalfEdgeMesh::Face(h));
+  }
+  faces.insert(
+    faces.end(), this->GoneFaces.begin(), this->GoneFaces.begin() + this->NumberOfGoneFaces);
+  return faces;
+}
+
+//------------------------------------------------------------------------------
 bool EdgeNeighborhood::RingIsSimple() const
 {
   constexpr std::size_t fewVertices = 32;

@@ -37,6 +37,8 @@ struct EdgeNeighborhood
   std::array<VertexId, 2> BoundaryEnds;
 
   bool IsBoundaryEdge() const { return this->NumberOfGoneFaces == 1; }
+  /// The faces of Corners, then those that are removed.
+  std::vector<Index> Faces() const;
 
   /// Replaces the content without allocating. No end may be NonManifold, and both may be
   /// on a boundary only if the edge is. False, and the content is of no use, if there are

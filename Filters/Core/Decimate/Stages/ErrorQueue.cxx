@@ -98,7 +98,7 @@ bool ErrorQueue::Collapse(const EvaluatedEdge& edge)
     }
     return false;
   }
-  this->HandOver(around);
+  this->Fit.HandOver(around.Faces(), this->Costs.Members());
   this->Back.Set(edit.Keep, result.Hint);
   this->Errors.AfterCollapse(edit.Keep, result.VertexError);
   this->Candidates.clear();
@@ -111,21 +111,5 @@ bool ErrorQueue::Collapse(const EvaluatedEdge& edge)
     }
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-/// Gives the samples of all faces that were at the edge to those of the fan.
-void ErrorQueue::HandOver(const EdgeNeighborhood& around)
-{
-  for (const Index corner : around.Corners)
-  {
-    this->Fit.Take(HalfEdgeMesh::Face(corner));
-  }
-  this->Fit.Take(around.GoneFaces[0]);
-  this->Fit.Take(around.GoneFaces[1]);
-  for (const FanFit::Member& member : this->Costs.Members())
-  {
-    this->Fit.Put(member.Sample, HalfEdgeMesh::Face(around.Corners[member.Slot]));
-  }
 }
 }

@@ -80,7 +80,6 @@ private:
   void Take(const EvaluatedEdge& edge);
   void Push(const RatedEdge& edge);
   bool Collapse(const EvaluatedEdge& edge);
-  void HandOver(const EdgeNeighborhood& around);
 
   Editor& MeshEditor;
   Samples& Fit;

@@ -85,7 +85,9 @@ bool SlackCollapse::Collapse(const SlackCandidate& candidate)
     return false;
   }
   this->Back.Set(edit.Keep, candidate.Hint);
-  this->HandOver(around);
+  // Finds the face of each sample.
+  this->Slack.MaxOfSamples(mesh.Position(around.Start), std::numeric_limits<double>::infinity());
+  this->Fit.HandOver(around.Faces(), this->Slack.Members());
   this->Touched[edit.Keep] = 1;
   this->Candidates.NoteChange(edit.Keep);
   for (const VertexId v : around.Ring)
@@ -93,25 +95,5 @@ bool SlackCollapse::Collapse(const SlackCandidate& candidate)
     this->Candidates.NoteChange(v);
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-/// Gives the samples of all faces that were at the edge, which are gathered, to those of the fan.
-void SlackCollapse::HandOver(const EdgeNeighborhood& around)
-{
-  SlackFit& slack = this->Slack;
-  // Finds the face of each sample.
-  slack.MaxOfSamples(
-    this->MeshEditor.Mesh().Position(around.Start), std::numeric_limits<double>::infinity());
-  for (const Index corner : around.Corners)
-  {
-    this->Fit.Take(HalfEdgeMesh::Face(corner));
-  }
-  this->Fit.Take(around.GoneFaces[0]);
-  this->Fit.Take(around.GoneFaces[1]);
-  for (const SlackFit::Member& member : slack.Members())
-  {
-    this->Fit.Put(member.Sample, HalfEdgeMesh::Face(around.Corners[member.Slot]));
-  }
 }
 }

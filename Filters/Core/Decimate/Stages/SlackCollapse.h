@@ -35,7 +35,6 @@ public:
 
 private:
   bool Collapse(const SlackCandidate& candidate);
-  void HandOver(const EdgeNeighborhood& around);
   bool IsTouched(const EdgeNeighborhood& around) const;
 
   Editor& MeshEditor;

@@ -44,7 +44,9 @@ void SlackFlipper::TryFlip(HalfEdgeId edge)
   if (twin != None && edge < twin && this->Improves(edge) &&
     this->MeshEditor.Try(FlipOf(edge), this->Space).IsAccepted())
   {
-    this->HandOver({ HalfEdgeMesh::Face(edge), HalfEdgeMesh::Face(twin) });
+    // As the last evaluation found the samples.
+    this->Fit.HandOver(
+      { HalfEdgeMesh::Face(edge), HalfEdgeMesh::Face(twin) }, this->Slack.Members());
   }
 }
 
@@ -79,17 +81,5 @@ bool SlackFlipper::Improves(HalfEdgeId edge)
   this->Gather({ c, a, d, b }, faces);
   return this->Slack.EvaluatePair(c, this->Back.Of(ids[2]), FlipBelowError * now.Error).Error <
     FlipBelowError * now.Error;
-}
-
-//------------------------------------------------------------------------------
-/// After the flip, as the last evaluation found the samples.
-void SlackFlipper::HandOver(const std::array<FaceId, 2>& faces)
-{
-  this->Fit.Take(faces[0]);
-  this->Fit.Take(faces[1]);
-  for (const SlackFit::Member& member : this->Slack.Members())
-  {
-    this->Fit.Put(member.Sample, faces[member.Slot]);
-  }
 }
 }

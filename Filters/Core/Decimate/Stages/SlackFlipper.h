@@ -36,7 +36,6 @@ private:
   void Gather(const std::array<Vector3, 4>& corners, const std::array<FaceId, 2>& faces);
   void TryFlip(HalfEdgeId edge);
   bool Improves(HalfEdgeId edge);
-  void HandOver(const std::array<FaceId, 2>& faces);
 
   Editor& MeshEditor;
   Samples& Fit;

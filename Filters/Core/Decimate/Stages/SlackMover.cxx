@@ -47,14 +47,7 @@ bool SlackMover::Apply(const Proposal& proposal, Workspace& work) const
     return false;
   }
   this->Back.Set(proposal.Vertex, proposal.Hint);
-  for (const Index face : proposal.Ring)
-  {
-    this->Fit.Take(face);
-  }
-  for (const SlackFit::Member& member : proposal.Samples)
-  {
-    this->Fit.Put(member.Sample, proposal.Ring[member.Slot]);
-  }
+  this->Fit.HandOver(proposal.Ring, proposal.Samples);
   return true;
 }
 

@@ -85,6 +85,21 @@ public:
     this->Firsts[face] = sample;
   }
 
+  /// Gives the samples of these faces to others of them.
+  /// @param members Each sample with the position of its new face among them, Slot.
+  template <typename Members>
+  void HandOver(const std::vector<Index>& faces, const Members& members)
+  {
+    for (const Index face : faces)
+    {
+      this->Take(face);
+    }
+    for (const auto& member : members)
+    {
+      this->Put(member.Sample, faces[member.Slot]);
+    }
+  }
+
   template <typename Visit>
   void VisitFace(FaceId face, Visit visit) const
   {
