@@ -35,7 +35,7 @@ struct Workspace
 {
   EdgeNeighborhood Around; ///< Surroundings of the edge gathered last; Edge is None if rejected.
   FanStorage Faces;        ///< The fan of the edge gathered last.
-  SurfaceChange Change;    ///< The change that was checked last. The schedule sets who asks for it.
+  SurfaceChange Change;    ///< The change that was checked last, and which worker proposes it.
   Tally Counted;
   /// Pending data of each filter; made for the first edit.
   std::vector<std::shared_ptr<EditFilter::Pending>> Pending;

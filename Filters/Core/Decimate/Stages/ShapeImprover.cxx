@@ -87,7 +87,7 @@ bool ShapeImprover::FlipAndMove(const Monitor& monitor)
       this->ForEachBadFace(
         PartOf(monitor, flippedAt, 1.0), [&mover](FaceId face) { mover.MoveAt(face); });
   };
-  return this->MeshEditor.FlipAndMove(flipAndMove, &mover.Space());
+  return this->MeshEditor.FlipAndMove(flipAndMove, &mover.Worker());
 }
 
 //------------------------------------------------------------------------------
@@ -119,7 +119,7 @@ bool ShapeImprover::Relax(Editor& editor, const Monitor& monitor)
       ForEachOf(static_cast<std::size_t>(mesh.NumberOfVertexSlots()),
         PartOf(monitor, flippedAt, 1.0), move);
   };
-  return editor.FlipAndMove(flipAndMove, &mover.Space());
+  return editor.FlipAndMove(flipAndMove, &mover.Worker());
 }
 
 //------------------------------------------------------------------------------

@@ -33,14 +33,14 @@ public:
   void Move(VertexId vertex);
 
   /// For Editor::FlipAndMove.
-  Workspace& Space() { return this->Work; }
+  Workspace& Worker() { return this->Space; }
 
 private:
   bool TryFlip(HalfEdgeId edge);
 
   Editor& MeshEditor;
   double Enough;
-  Workspace Work;
+  Workspace Space;
   RingShape Ring;
 };
 }

@@ -5,7 +5,7 @@
  * @brief A change of the surface, of any kind of edit: the one argument of rules, filters, proofs,
  * journal and log.
  *
- *     the schedule sets    who asks for it, and what it estimates
+ *     the schedule sets    which worker proposes it, and its estimates
  *     the rules set        the edit, what it means for a component, and its faces: those that it
  *                          removes and those that replace them
  *     the filters accept, reject or defer it, and commit it when it has been made
