@@ -3,7 +3,6 @@
 #include "Editor.h"
 
 #include "Mesh/ManifoldPatches.h"
-#include "Proof/EditFilters/NeighborFilter.h"
 #include "Proof/EditFilters/ShapeFilter.h"
 #include "Proof/EditFilters/ZoneFilter.h"
 #include "Proof/ErrorBound/StartProof.h"
@@ -113,13 +112,9 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   {
     this->AddIntersectionGuard(settings, monitor);
   }
-  if (settings.EditZone)
+  if (settings.EditZone || settings.Neighbors.Others)
   {
-    this->Filters.push_back(std::make_shared<ZoneFilter>(*settings.EditZone));
-  }
-  if (settings.Neighbors.Others)
-  {
-    this->Filters.push_back(std::make_shared<NeighborFilter>(settings.Neighbors));
+    this->Filters.push_back(std::make_shared<ZoneFilter>(settings.EditZone, settings.Neighbors));
   }
   this->Filters.insert(
     this->Filters.end(), settings.MoreFilters.begin(), settings.MoreFilters.end());

@@ -5,7 +5,6 @@
 #include "Editor.h"
 #include "FlipAndMoveRules.h"
 #include "PatchRules.h"
-#include "SplitRules.h"
 
 #include <algorithm>
 

@@ -42,6 +42,42 @@ Rejection RejectionOfConstrained(VertexConstraint kind)
 {
   return kind == VertexConstraint::Constrained ? Rejection::Constrained : Rejection::NonManifold;
 }
+
+/// The rules of a flip that depend on positions.
+/// @param isTurnedOver Whether a new face, the first or the second, turns too far from what it was
+/// at first.
+template <typename IsTurnedOver>
+Rejection CheckShapesOfFlip(const std::array<Vector3, 4>& corners, const IsTurnedOver& isTurnedOver)
+{
+  const auto& [a, b, c, d] = corners;
+  const std::array<Face, 2> before = { Face(a, b, c), Face(b, a, d) };
+  const double worst = std::min(before[0].Quality, before[1].Quality);
+  const std::array<Face, 2> afterwards = { Face(a, d, c), Face(b, c, d) };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const Face& after = afterwards[i];
+    if (IsNeedle(after, worst))
+    {
+      return Rejection::Degenerate;
+    }
+    if (IsTurned(before[0], after) || IsTurned(before[1], after) || isTurnedOver(i, after.Vector))
+    {
+      return Rejection::Flip;
+    }
+  }
+  return Rejection::NotRejected;
+}
+
+Rejection CheckBoundarySplit(const HalfEdgeMesh& mesh, HalfEdgeId edge)
+{
+  const VertexId a = mesh.Origin(edge);
+  const VertexId b = mesh.Target(edge);
+  const bool isAlone =
+    mesh.Twin(HalfEdgeMesh::Next(edge)) != None && mesh.Twin(HalfEdgeMesh::Previous(edge)) != None;
+  const bool isOnCurve = mesh.IsStationary(a) && mesh.IsStationary(b);
+  const bool isConstrained = mesh.IsConstrained(a) || mesh.IsConstrained(b);
+  return isAlone && !isOnCurve && !isConstrained ? Rejection::NotRejected : Rejection::Boundary;
+}
 }
 
 std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, HalfEdgeId edge)
@@ -87,14 +123,8 @@ Rejection CheckFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>
 //------------------------------------------------------------------------------
 bool KeepsShape(const std::array<Vector3, 4>& corners)
 {
-  const auto& [a, b, c, d] = corners;
-  const std::array<Face, 2> before = { Face(a, b, c), Face(b, a, d) };
-  const double worst = std::min(before[0].Quality, before[1].Quality);
-  const std::array<Face, 2> afterwards = { Face(a, d, c), Face(b, c, d) };
-  return std::all_of(afterwards.begin(), afterwards.end(),
-    [&](const Face& after) {
-      return !IsNeedle(after, worst) && !IsTurned(before[0], after) && !IsTurned(before[1], after);
-    });
+  return CheckShapesOfFlip(corners, [](std::size_t, const Vector3&) { return false; }) ==
+    Rejection::NotRejected;
 }
 
 //------------------------------------------------------------------------------
@@ -111,27 +141,17 @@ Rejection CheckFlip(const HalfEdgeMesh& mesh, SurfaceChange& change)
   {
     return topology;
   }
-  const auto [a, b, c, d] = PositionsOf(mesh, corners);
-  const std::array<Face, 2> before = { Face(a, b, c), Face(b, a, d) };
-  const double worst = std::min(before[0].Quality, before[1].Quality);
-  const std::array<Face, 2> afterwards = { Face(a, d, c), Face(b, c, d) };
+  const std::array<Vector3, 4> positions = PositionsOf(mesh, corners);
   const std::array<Index, 2> faces = { HalfEdgeMesh::Face(edge),
     HalfEdgeMesh::Face(mesh.Twin(edge)) };
-  for (std::size_t i = 0; i < 2; ++i)
+  const Rejection shape = CheckShapesOfFlip(positions,
+    [&](std::size_t i, const Vector3& area) { return mesh.IsTurnedOver(faces[i], area); });
+  if (shape == Rejection::NotRejected)
   {
-    const Face& after = afterwards[i];
-    if (IsNeedle(after, worst))
-    {
-      return Rejection::Degenerate;
-    }
-    if (IsTurned(before[0], after) || IsTurned(before[1], after) ||
-      mesh.IsTurnedOver(faces[i], after.Vector))
-    {
-      return Rejection::Flip;
-    }
+    const auto& [a, b, c, d] = positions;
+    change.VolumeChange = Dot(b - a, (c - a).cross(d - a)) / 6.0;
   }
-  change.VolumeChange = Dot(b - a, (c - a).cross(d - a)) / 6.0;
-  return Rejection::NotRejected;
+  return shape;
 }
 
 //------------------------------------------------------------------------------
@@ -167,6 +187,18 @@ Rejection CheckMove(const HalfEdgeMesh& mesh, SurfaceChange& change)
   }
   change.VolumeChange = Dot(ring, position - mesh.Position(vertex)) / 3.0;
   return Rejection::NotRejected;
+}
+
+//------------------------------------------------------------------------------
+Rejection CheckSplit(const HalfEdgeMesh& mesh, HalfEdgeId edge)
+{
+  const VertexConstraint kind =
+    std::min(mesh.Constraint(mesh.Origin(edge)), mesh.Constraint(mesh.Target(edge)));
+  if (IsConstrained(kind))
+  {
+    return RejectionOfConstrained(kind);
+  }
+  return mesh.Twin(edge) == None ? CheckBoundarySplit(mesh, edge) : Rejection::NotRejected;
 }
 
 //------------------------------------------------------------------------------

@@ -2,25 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ZoneFilter.h
- * @brief Keeps all edits between two parallel planes.
+ * @brief Keeps edits between two parallel planes, and new faces away from neighbors that other runs
+ * edit at the same time.
  *
  * What lies between two planes is convex: new faces with all corners there stay there. Zones that
  * do not overlap can be edited independently, and no face of one can intersect a face of another.
+ * If the distance from neighbors is more than how far another run may move its part, no new face of
+ * one run meets a face of the other.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_ZoneFilter_h
 #define BoneDecimate_Core_Proof_EditFilters_ZoneFilter_h
 
 #include "EditFilter.h"
+#include "Geometry/NearSurface.h"
 #include "Geometry/Zone.h"
+
+#include <optional>
+#include <utility>
 
 namespace bonedecimate
 {
 class ZoneFilter : public EditFilter
 {
 public:
-  /// @param zone Relative to the origin of the mesh.
-  explicit ZoneFilter(const Zone& zone)
+  /// @param zone Relative to the origin of the mesh; none: everywhere.
+  ZoneFilter(const std::optional<Zone>& zone, Neighborhood neighbors)
     : Inside(zone)
+    , Neighbors(std::move(neighbors))
   {
   }
 
@@ -28,9 +36,13 @@ public:
   /// Corners of new faces are inside, or vertices that do not move.
   Decision Screen(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
+  /// New faces keep the distance from the neighbors.
+  Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
+    EditFilter::Pending& pending) const override;
 
 private:
-  Zone Inside;
+  std::optional<Zone> Inside;
+  Neighborhood Neighbors;
 };
 }
 
