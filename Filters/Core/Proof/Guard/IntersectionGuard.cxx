@@ -212,31 +212,6 @@ bool IntersectionGuard::NarrowsGap(const Pending& work) const
 }
 
 //------------------------------------------------------------------------------
-bool IntersectionGuard::Owns(
-  const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, Pending& work) const
-{
-  work.KnowsCells = false;
-  if (this->Grid->HoldsAll(range))
-  {
-    return true;
-  }
-  // Corners alone tell most of what belongs to others, and soon.
-  const auto isOwned = [&](const SurfaceChange::Face& face)
-  {
-    return std::all_of(face.Corners.begin(), face.Corners.end(),
-      [&](const Vector3& corner) { return this->Grid->Owns(range, this->Grid->CellAt(corner)); });
-  };
-  if (!std::all_of(change.NewFaces.begin(), change.NewFaces.end(), isOwned))
-  {
-    return false;
-  }
-  work.KnowsCells = true;
-  this->FillPieces(mesh, change, work);
-  this->FindCells(work);
-  return this->Grid->OwnsAll(range, work.Cells);
-}
-
-//------------------------------------------------------------------------------
 std::shared_ptr<EditFilter::Pending> IntersectionGuard::MakePending()
 {
   this->BuildGrid();
@@ -266,8 +241,26 @@ void IntersectionGuard::TakeDraft(const EditJournal& journal)
 Decision IntersectionGuard::Screen(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
-  const bool owns = this->Owns(mesh, change, change.Range, static_cast<Pending&>(pending));
-  return owns ? Decision::Accept() : Decision::Defer();
+  Pending& work = static_cast<Pending&>(pending);
+  work.KnowsCells = false;
+  if (this->Grid->HoldsAll(change.Range))
+  {
+    return Decision::Accept();
+  }
+  // Corners alone tell most of what belongs to others, and soon.
+  const auto isOwned = [&](const SurfaceChange::Face& face)
+  {
+    return std::all_of(face.Corners.begin(), face.Corners.end(),
+      [&](const Vector3& p) { return this->Grid->Owns(change.Range, this->Grid->CellAt(p)); });
+  };
+  if (!std::all_of(change.NewFaces.begin(), change.NewFaces.end(), isOwned))
+  {
+    return Decision::Defer();
+  }
+  work.KnowsCells = true;
+  this->FillPieces(mesh, change, work);
+  this->FindCells(work);
+  return this->Grid->OwnsAll(change.Range, work.Cells) ? Decision::Accept() : Decision::Defer();
 }
 
 //------------------------------------------------------------------------------

@@ -77,8 +77,6 @@ private:
     double Reach = 0.0;      // mm, of the gap rule around these
     bool KnowsCells = false; // of this edit
   };
-  bool Owns(
-    const HalfEdgeMesh& mesh, const SurfaceChange& change, VertexRange range, Pending& work) const;
   void BuildGrid();
   Gap MinGapOf(
     const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& originals) const;
