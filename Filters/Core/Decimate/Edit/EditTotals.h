@@ -9,20 +9,15 @@
 
 #include "Figures/EditFigures.h"
 #include "Geometry/Surface.h"
-#include "Figures/Rejection.h"
-
-#include <array>
 
 namespace bonedecimate
 {
-struct EditTotals
+/// As the report has them, and more. Rejections are those of collapses alone.
+struct EditTotals : EditFigures
 {
-  std::int64_t Collapses = 0;
   std::int64_t Splits = 0;
-  std::array<std::int64_t, NumberOfRejections> Rejections{}; ///< Of collapses, by their reasons.
   /// Vertices that are constrained because of their own tolerance; duplicates count once.
   Index ConstrainedVertices = 0;
-  DraftFigures Draft;
 
   /// Whether a collapse was rejected because it could not be proved to keep the error bound.
   bool MetErrorBound() const

@@ -7,10 +7,10 @@
 #ifndef BoneDecimate_Core_Proof_EditFilters_Tally_h
 #define BoneDecimate_Core_Proof_EditFilters_Tally_h
 
+#include "Figures/Rejection.h"
 #include "FragmentVolumes.h"
 #include "JournalEntry.h"
 #include "Levels/EditLog.h"
-#include "Figures/Rejection.h"
 
 #include <array>
 #include <vector>
