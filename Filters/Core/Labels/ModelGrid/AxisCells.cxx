@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AxisCells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace bonedecimate
+{
+namespace
+{
+/// Rounding of the programs that copied the map, and of the search; layers.
+constexpr double Tolerance = 1e-6;
+/// Ways of rounding in the same direction for all even borders, and for all odd ones.
+constexpr double ConsistentTies = 4.0;
+constexpr std::size_t MaxRegions = 20000;
+/// How much finer than the coarsest cells usual ones may be.
+constexpr double UsualRatio = 0.95;
+
+struct Line
+{
+  double Border;
+  double Length;
+};
+
+/// Lines that explain the changes so far; the last of them by border Last.
+struct Region
+{
+  std::vector<Line> Corners;
+  double Last = 0.0;
+};
+
+/// The part of a polygon where excess(corner) <= 0; excess is linear.
+template <typename Excess>
+std::vector<Line> Cut(const std::vector<Line>& corners, const Excess& excess)
+{
+  std::vector<Line> kept;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Line& a = corners[i];
+    const Line& b = corners[(i + 1) % corners.size()];
+    const double atA = excess(a);
+    const double atB = excess(b);
+    if (atA <= 0.0)
+    {
+      kept.push_back(a);
+    }
+    if ((atA < 0.0 && atB > 0.0) || (atA > 0.0 && atB < 0.0))
+    {
+      const double ratio = atA / (atA - atB);
+      kept.push_back(
+        { a.Border + ratio * (b.Border - a.Border), a.Length + ratio * (b.Length - a.Length) });
+    }
+  }
+  return kept;
+}
+
+/// Adds the parts of the region that explain a change, each by one border.
+void ExplainChange(const Region& region, double layer, double tolerance, std::vector<Region>& parts)
+{
+  double first = MaxCoordinate;
+  double last = region.Last;
+  for (const Line& corner : region.Corners)
+  {
+    first = std::min(first, (layer - 1.0 - tolerance - corner.Border) / corner.Length);
+    last = std::max(last, (layer + tolerance - corner.Border) / corner.Length);
+  }
+  first = std::max(region.Last + 1.0, std::ceil(first));
+  for (double border = first; border <= last && parts.size() < MaxRegions; border += 1.0)
+  {
+    const auto position = [border](const Line& line) { return line.Border + border * line.Length; };
+    std::vector<Line> corners =
+      Cut(region.Corners, [&](const Line& line) { return position(line) - layer - tolerance; });
+    corners =
+      Cut(corners, [&](const Line& line) { return layer - 1.0 - tolerance - position(line); });
+    if (!corners.empty())
+    {
+      parts.push_back({ std::move(corners), border });
+    }
+  }
+}
+
+/// All regions that explain all changes; none if they become too many.
+/// @param tolerance Negative: without borders at centers of layers.
+std::vector<Region> ExplainChanges(
+  const std::vector<Index>& changes, const LengthRange& lengths, double tolerance)
+{
+  const double first = changes.front() - 1.0 - tolerance;
+  const double last = changes.front() + tolerance;
+  std::vector<Region> regions = { { { { first, lengths.Least }, { last, lengths.Least },
+                                      { last, lengths.Largest }, { first, lengths.Largest } },
+    0.0 } };
+  for (std::size_t i = 1; i < changes.size() && !regions.empty(); ++i)
+  {
+    std::vector<Region> parts;
+    for (const Region& region : regions)
+    {
+      ExplainChange(region, changes[i], tolerance, parts);
+    }
+    regions = parts.size() < MaxRegions ? std::move(parts) : std::vector<Region>();
+  }
+  return regions;
+}
+
+/**
+ * In how many ways borders at centers of layers can be rounded that explain the changes; 0: the
+ * line does not. Programs round all in one direction, or to even samples; where their
+ * quotients are not exact, each in its own.
+ */
+double RoundingsOf(const Line& line, const std::vector<Index>& changes)
+{
+  double last = -MaxCoordinate;
+  double roundings = 1.0;
+  std::array<int, 2> direction = { 0, 0 }; // of even and of odd borders
+  bool isConsistent = true;
+  for (const Index layer : changes)
+  {
+    const double border = std::floor((layer + Tolerance - line.Border) / line.Length);
+    const double position = line.Border + border * line.Length - layer; // -1 to 0
+    if (border <= last || position < -1.0 - Tolerance)
+    {
+      return 0.0;
+    }
+    last = border;
+    const int side = position <= -1.0 + Tolerance ? -1 : position >= -Tolerance ? 1 : 0;
+    int& usual = direction[static_cast<std::size_t>(border - 2.0 * std::floor(border / 2.0))];
+    isConsistent = isConsistent && (side == 0 || usual == 0 || usual == side);
+    usual = side == 0 ? usual : side;
+    roundings *= side == 0 ? 1.0 : 2.0;
+  }
+  return isConsistent ? ConsistentTies : std::max(roundings, ConsistentTies);
+}
+
+/// The line with fewest ways of rounding, the first of several.
+class BestLine
+{
+public:
+  explicit BestLine(const std::vector<Index>& changes)
+    : Changes(changes)
+  {
+  }
+
+  void Consider(const Line& line)
+  {
+    const double roundings = RoundingsOf(line, this->Changes);
+    if (roundings > 0.0 && (this->Roundings == 0.0 || roundings < this->Roundings))
+    {
+      this->Roundings = roundings;
+      this->Best = line;
+    }
+  }
+
+  const Line& Get() const { return this->Best; }
+  double GetRoundings() const { return this->Roundings; }
+
+private:
+  const std::vector<Index>& Changes;
+  Line Best = { 0.0, 1.0 };
+  double Roundings = 0.0;
+};
+
+/**
+ * Cells as programs make them that copy a whole map of m samples to n layers, the coarsest first:
+ *     corners aligned        layer i has the sample nearest to i (m - 1) / (n - 1)
+ *     centers aligned        layer i has the sample nearest to (i + 1/2) m / n - 1/2
+ *     first center aligned   layer i has the sample nearest to i / Length, of a usual length
+ */
+void ConsiderUsualCells(Index layers, const LengthRange& lengths, BestLine& best)
+{
+  const auto consider = [&](double first, const auto& lineOf)
+  {
+    double number = first;
+    for (Line line = lineOf(number); line.Length >= lengths.Least; line = lineOf(++number))
+    {
+      if (line.Length <= lengths.Largest + Tolerance)
+      {
+        best.Consider(line);
+      }
+    }
+  };
+  const double samples = std::max(2.0, std::floor((layers - 1.0) / lengths.Largest));
+  const auto fromCenter = [](double length) { return Line{ length / 2.0, length }; };
+  consider(samples, [&](double m) { return fromCenter((layers - 1.0) / (m - 1.0)); });
+  consider(samples, [&](double m) { return Line{ layers / m - 0.5, layers / m }; });
+  if (lengths.UsualStep > 0.0)
+  {
+    const double most = std::floor(lengths.Largest / lengths.UsualStep);
+    consider(0.0, [&](double m) { return fromCenter((most - m) * lengths.UsualStep); });
+  }
+}
+
+Line MeanOf(const std::vector<Line>& corners)
+{
+  Line mean = { 0.0, 0.0 };
+  for (const Line& corner : corners)
+  {
+    mean.Border += corner.Border / static_cast<double>(corners.size());
+    mean.Length += corner.Length / static_cast<double>(corners.size());
+  }
+  return mean;
+}
+
+double LongestOf(const Region& region)
+{
+  return std::max_element(region.Corners.begin(), region.Corners.end(),
+    [](const Line& a, const Line& b) { return a.Length < b.Length; })
+    ->Length;
+}
+
+/// Layers before which there is a border. A border at the center of a layer is before
+/// or behind it, wherever labels change.
+std::vector<bool> BorderPlanes(const Line& line, const std::vector<Index>& changes, Index layers)
+{
+  std::vector<bool> isBorder(static_cast<std::size_t>(layers), false);
+  const auto changesAt = [&](double layer)
+  { return std::binary_search(changes.begin(), changes.end(), static_cast<Index>(layer)); };
+  double border = std::ceil(-line.Border / line.Length - 1.0);
+  for (;; border += 1.0)
+  {
+    const double position = line.Border + border * line.Length;
+    const double nearest = std::floor(position + 0.5);
+    const bool isCenter = std::abs(position - nearest) <= 2.0 * Tolerance;
+    const double layer = !isCenter                      ? std::ceil(position)
+      : changesAt(nearest + 1.0) && !changesAt(nearest) ? nearest + 1.0
+                                                        : nearest;
+    if (layer >= layers)
+    {
+      return isBorder;
+    }
+    if (layer >= 1.0)
+    {
+      isBorder[static_cast<std::size_t>(layer)] = true;
+    }
+  }
+}
+
+/**
+ * At most: the number of sets of borders, with the first and the last change at its ends, times the
+ * probability that all other changes lie on borders of one of them (Documentation/model-grid.md).
+ */
+double ChanceOf(
+  const std::vector<Index>& changes, const std::vector<bool>& isBorder, double roundings)
+{
+  const double between = changes.back() - changes.front() - 1.0;
+  const double borders = static_cast<double>(
+    std::count(isBorder.begin() + changes.front() + 1, isBorder.begin() + changes.back(), true));
+  double chance = roundings * (between + 1.0) * (between + 2.0) * (between + 3.0) / 6.0;
+  for (std::size_t i = 0; i + 2 < changes.size(); ++i)
+  {
+    const auto placed = static_cast<double>(i);
+    chance *= (borders - placed) / (between - placed);
+  }
+  return std::min(1.0, chance);
+}
+
+AxisCells CellsOf(const BestLine& best, const std::vector<Index>& changes, Index layers)
+{
+  const Line& line = best.Get();
+  const std::vector<bool> isBorder = BorderPlanes(line, changes, layers);
+  AxisCells cells;
+  Index cell = 0;
+  for (const bool isNext : isBorder)
+  {
+    cell += isNext ? 1 : 0;
+    cells.OfLayer.push_back(cell);
+  }
+  // The border that explains the first change is that before its cell.
+  const double cellBehind = cells.OfLayer[static_cast<std::size_t>(changes.front())];
+  const double border = std::floor((changes.front() + Tolerance - line.Border) / line.Length);
+  cells.Length = line.Length;
+  cells.FirstSample = line.Border + (border + 0.5 - cellBehind) * line.Length;
+  cells.Chance = ChanceOf(changes, isBorder, best.GetRoundings());
+  return cells;
+}
+}
+
+AxisCells CellsOfLayers(Index layers)
+{
+  AxisCells cells;
+  cells.OfLayer.resize(static_cast<std::size_t>(layers));
+  std::iota(cells.OfLayer.begin(), cells.OfLayer.end(), 0);
+  return cells;
+}
+
+std::optional<AxisCells> FindAxisCells(
+  const std::vector<Index>& changes, Index layers, const LengthRange& lengths)
+{
+  if (changes.size() < 2)
+  {
+    return std::nullopt;
+  }
+  // Neighboring changes have different borders, and cells that are no longer than this would leave
+  // no layer without a border.
+  double longest = lengths.Largest > 0.0 ? lengths.Largest : layers;
+  for (std::size_t i = 1; i < changes.size(); ++i)
+  {
+    longest = std::min(longest, changes[i] - changes[i - 1] + 1.0 + 2.0 * Tolerance);
+  }
+  const double shortest = std::max(lengths.Least, 1.0 + 1.0 / layers);
+  if (longest < shortest)
+  {
+    return std::nullopt;
+  }
+  const LengthRange range = { shortest, longest, 0.0 };
+  std::vector<Region> regions = ExplainChanges(changes, range, -Tolerance);
+  regions = regions.empty() ? ExplainChanges(changes, range, Tolerance) : std::move(regions);
+  if (regions.empty())
+  {
+    return std::nullopt;
+  }
+  const Region& coarsest = *std::max_element(regions.begin(), regions.end(),
+    [](const Region& a, const Region& b) { return LongestOf(a) < LongestOf(b); });
+  const double length = LongestOf(coarsest);
+  BestLine best(changes);
+  ConsiderUsualCells(
+    layers, { std::max(shortest, UsualRatio * length), length, lengths.UsualStep }, best);
+  best.Consider(MeanOf(coarsest.Corners));
+  return best.GetRoundings() > 0.0 ? std::optional<AxisCells>(CellsOf(best, changes, layers))
+                                   : std::nullopt;
+}
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file AxisCells.h
+ * @brief The coarsest uniform cells along an axis that explain between which layers labels change.
+ *
+ * Position x is in layers: layer i has its center at i. Borders of cells lie at
+ *
+ *     t(k) = Border + k Length        Length > 1
+ *
+ * A change between the layers i - 1 and i is explained by a border in [i - 1, i]. Both ends are
+ * allowed, so that any rule of rounding is: a layer whose center lies on a border belongs to
+ * the cell on either side. Each border explains one change.
+ *
+ *     regions := all (Border, Length) that explain the first change
+ *     for each further change: cut each region with the strip of each border that can explain it
+ *     the coarsest of what is left; a usual one if there is (UsualCells)
+ *
+ * Regions are convex polygons. Two borders that explain the same change make two regions, of which
+ * the next changes leave few.
+ */
+#ifndef BoneDecimate_Core_Labels_ModelGrid_AxisCells_h
+#define BoneDecimate_Core_Labels_ModelGrid_AxisCells_h
+
+#include "Geometry/Surface.h"
+
+#include <optional>
+#include <vector>
+
+namespace bonedecimate
+{
+struct AxisCells
+{
+  double Length = 1.0;      ///< Layers per cell.
+  double FirstSample = 0.0; ///< Position of the center of cell 0, in layers.
+  /// Ascending from 0, without gaps.
+  std::vector<Index> OfLayer;
+  /// How likely as many changes at random layers would be explained by some cells.
+  double Chance = 1.0;
+
+  /// If not, each layer is a cell.
+  bool IsFound() const { return this->Length > 1.0; }
+  Index Count() const { return this->OfLayer.back() + 1; }
+};
+
+/// Each layer is a cell.
+AxisCells CellsOfLayers(Index layers);
+
+struct LengthRange
+{
+  double Least = 1.0;
+  double Largest = 0.0;   ///< 0: not limited.
+  double UsualStep = 0.0; ///< Models have whole multiples of this; 0: not known.
+};
+
+/**
+ * @param changes Layers before which labels change, ascending, 1 to layers - 1.
+ * @param layers Number of layers.
+ * @returns Nothing if no cells explain all changes.
+ */
+std::optional<AxisCells> FindAxisCells(
+  const std::vector<Index>& changes, Index layers, const LengthRange& lengths);
+}
+
+#endif
