@@ -35,6 +35,8 @@ const std::vector<ArgumentRow>& ArgumentTable()
       [](const A& a) { return a.Given.count("intensities") > 0; } },
     { "--label-names", { Need::Segments },
       [](const A& a) { return !a.Segments.LabelNames.empty(); } },
+    { "--model-grid", { Need::WholeInMemory, Need::Segments },
+      [](const A& a) { return a.Given.count("model-grid") > 0; } },
     { "--memory", { Need::Volume }, [](const A& a) { return a.Memory > 0; } },
     { "--fill-volume", { Need::WholeInMemory, Need::Volume },
       [](const A& a) { return a.FillVolume > 0.0; } },

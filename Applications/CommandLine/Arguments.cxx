@@ -286,9 +286,10 @@ void AddDecimateOptions(CLI::App& app, Arguments& arguments)
     }
   }
   AddIso(app, arguments);
-  AddSegments(app, arguments.Segments,
-    [&arguments](const std::string& flag, const std::string& text)
-    { arguments.Given[flag] = text; });
+  const auto given = [&arguments](const std::string& flag, const std::string& text)
+  { arguments.Given[flag] = text; };
+  AddSegments(app, arguments.Segments, given);
+  AddModelGrid(app, arguments.ModelGrid, given);
   AddIntensities(app, arguments);
   AddMemory(app, arguments);
   AddFillVolume(app, arguments);

@@ -46,8 +46,9 @@ struct Arguments
   std::map<std::string, std::string> Given;
   std::optional<double> Iso; ///< Hounsfield value of the surface of a volume.
   SegmentArguments Segments;
-  double FillVolume = 0.0;  ///< mm3, of cavities of volumes; 0: fills none.
-  bool TakesLabels = false; ///< Takes values that look like labels as intensities.
+  double FillVolume = 0.0;        ///< mm3, of cavities of volumes; 0: fills none.
+  std::string ModelGrid = "auto"; ///< See ReadModelGridChoice().
+  bool TakesLabels = false;       ///< Takes values that look like labels as intensities.
   std::vector<Region> Regions;
   LengthUnit Unit;            ///< Unit of coordinates in files of surfaces that name none.
   int PositionBits = 16;      ///< Bits of a coordinate in files that have a grid.

@@ -43,6 +43,15 @@ Json ValueOrNull(const std::optional<Value>& value)
   return value ? Json(*value) : Json();
 }
 
+Json JsonOf(const ModelGridRecord& model)
+{
+  return { { "sentence", model.Sentence }, { "spacing", model.Spacing },
+    { "dimensions", model.Dimensions }, { "chance", model.Chance },
+    { "changed_copies", model.Different },
+    { "voxels_of_file",
+      { { "compared", model.ComparedInFile }, { "changed", model.ChangedInFile } } } };
+}
+
 Json JsonOf(const SegmentRecord& segment)
 {
   Json json = { { "label", segment.Label.Value }, { "name", segment.Label.Name },
@@ -150,6 +159,10 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   if (subject.Segments.empty() && !subject.Changed.empty())
   {
     report["changed_before"] = JsonOfPieces(subject.Changed.begin()->second);
+  }
+  if (subject.ModelGrid)
+  {
+    report["model_grid"] = JsonOf(*subject.ModelGrid);
   }
   if (!subject.Segments.empty())
   {

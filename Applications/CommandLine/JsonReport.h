@@ -9,11 +9,13 @@
 
 #include "Arguments.h"
 #include "FileStamp.h"
+#include "Geometry/Surface.h"
 #include "Partition/Slabs/SlabRun.h"
 #include "SegmentRecord.h"
 
 #include "vtkPolyData.h"
 
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,6 +24,18 @@
 
 namespace bonedecimate
 {
+/// The map of a network that was extracted instead of that of the file.
+struct ModelGridRecord
+{
+  std::string Sentence;
+  std::array<double, 3> Spacing; ///< mm
+  std::array<Index, 3> Dimensions;
+  double Chance = 0.0;             ///< ModelGrid::Chance
+  std::int64_t Different = 0;      ///< Voxels of the file that are no copies.
+  std::int64_t ComparedInFile = 0; ///< Voxels of the file.
+  std::int64_t ChangedInFile = 0;  ///< Voxels of the file with another label in the result.
+};
+
 /// What the report says beyond the filter's own. Names are base names: no folder reaches a report.
 struct ReportSubject
 {
@@ -38,7 +52,8 @@ struct ReportSubject
   /// Result of ProveWritten() for each surface that was written after it had been proved, by file.
   std::map<std::string, std::string> ProvedFiles;
   std::vector<SegmentRecord> Segments; ///< Segments of a label map.
-  std::optional<SlabFigures> Slabs;    ///< Figures of a run in slabs.
+  std::optional<ModelGridRecord> ModelGrid;
+  std::optional<SlabFigures> Slabs; ///< Figures of a run in slabs.
   PiecesOfLabels Changed; ///< Changes of a volume before extraction; empty: none were requested.
   double SecondsRead = 0.0;
   double SecondsWrite = 0.0;

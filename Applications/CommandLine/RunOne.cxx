@@ -38,6 +38,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <tuple>
 
 namespace bonedecimate
 {
@@ -71,6 +72,7 @@ public:
       this->Input = segments.Surface;
       this->Filter->SetLabelMapData(segments.Map);
       this->Subject.Changed = segments.Changed;
+      this->TakeModelGrid(segments);
       this->Remark = segments.Note;
     }
     else if (this->Volume)
@@ -138,6 +140,7 @@ public:
     this->AcceptProof(messages);
     this->RequireTriangles(messages);
     AcceptMessages(messages, this->Path, this->Subject.Warnings, this->Requested.Unit);
+    this->CompareWithFile();
     this->TakeResult();
     if (!this->Volume)
     {
@@ -248,6 +251,30 @@ public:
   vtkSmartPointer<vtkPolyData> GetResult() { return this->Result; }
 
 private:
+  void TakeModelGrid(const SegmentSurfaces& segments)
+  {
+    if (!segments.Model.AreFound())
+    {
+      return;
+    }
+    this->MapOfFile = segments.MapOfFile;
+    const VoxelGrid& grid = segments.Model.Labels.Image.Grid;
+    this->Subject.ModelGrid = ModelGridRecord{ segments.Model.Sentence,
+      { grid.Spacing[0], grid.Spacing[1], grid.Spacing[2] }, grid.Dimensions, segments.Model.Chance,
+      segments.Model.Different };
+  }
+
+  void CompareWithFile()
+  {
+    if (this->MapOfFile)
+    {
+      ModelGridRecord& model = *this->Subject.ModelGrid;
+      std::tie(model.ComparedInFile, model.ChangedInFile) = CompareWithMapOfFile(
+        this->Filter->GetOutput(), this->MapOfFile, this->Requested, this->Subject.Warnings);
+      this->MapOfFile = nullptr;
+    }
+  }
+
   /// With what is proved of the files.
   void TakeResult()
   {
@@ -319,7 +346,8 @@ private:
   ReportSubject Subject;
   bool Volume;
   OutputRounding Rounding;
-  double VoxelSize = 0.0; // mm, of a volume
+  double VoxelSize = 0.0;                  // mm, of a volume
+  vtkSmartPointer<vtkImageData> MapOfFile; // of the map of a network; null: there is none
   vtkSmartPointer<vtkPolyData> Input;
   vtkSmartPointer<vtkPolyData> Reference; // null: none
   vtkNew<vtkBoneDecimate> Filter;

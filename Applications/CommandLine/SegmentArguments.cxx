@@ -12,6 +12,7 @@
 #include "Formats/SurfaceFormat.h"
 #include "HelpFormatter.h"
 #include "Labels/LabelTable.h"
+#include "Labels/ModelGrid/ModelGridChoice.h"
 #include "PlainText.h"
 #include "SegmentOutput.h"
 
@@ -83,6 +84,32 @@ void AddSegments(CLI::App& app, SegmentArguments& segments,
                   "names are those of the label map's header or of such a file beside it."))
     ->type_name("totalsegmentator|TABLE")
     ->check(CLI::Validator(TableProblem, ""));
+}
+
+void AddModelGrid(CLI::App& app, std::string& choice,
+  const std::function<void(const std::string& flag, const std::string& text)>& given)
+{
+  app
+    .add_option_function<std::string>(
+      "--model-grid",
+      [&choice, given](const std::string& text)
+      {
+        choice = text;
+        given("model-grid", text);
+      },
+      WrappedHelp(
+        "With --segments: surfaces, smoothing and voxels are those of the coarser map of a "
+        "network, from whose grid the labels were copied to the voxels of the scan. auto, "
+        "the default: if it is certain that they were; off: those of the file; MM: the "
+        "spacing of the network, which has to fit."))
+    ->type_name("auto|off|MM[,MM,MM]")
+    ->check(CLI::Validator(
+      [](std::string& text)
+      {
+        text = LowerCase(text);
+        return ReadModelGridChoice(text).Problem;
+      },
+      ""));
 }
 
 void CheckSegments(const Arguments& arguments)

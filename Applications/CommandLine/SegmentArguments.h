@@ -30,6 +30,10 @@ struct SegmentArguments
 void AddSegments(CLI::App& app, SegmentArguments& segments,
   const std::function<void(const std::string& flag, const std::string& text)>& given);
 
+/// Adds --model-grid.
+void AddModelGrid(CLI::App& app, std::string& choice,
+  const std::function<void(const std::string& flag, const std::string& text)>& given);
+
 struct Arguments;
 
 /// What contradicts --segments, and --label-names without it. @throws Failure(ExitCode::Usage)

@@ -3,17 +3,46 @@
 #include "SegmentSurfaces.h"
 
 #include "FilterRun.h"
+#include "Formats/FileChecks.h"
 #include "LabelMapArguments.h"
+#include "LabelMapArrays.h"
+#include "Labels/ModelGrid/ModelGridChoice.h"
 #include "LeftOutOfReader.h"
 #include "NamedLabels.h"
 #include "SegmentChoice.h"
 
 #include "vtkBoneSurfaces.h"
+#include "vtkBoneVoxelCheck.h"
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 
 namespace bonedecimate
 {
+namespace
+{
+/// Replaces the map by that of the network from which it was copied.
+void UseModelGrid(const Arguments& arguments, SegmentSurfaces& segments)
+{
+  ModelGridChoice choice = ReadModelGridChoice(arguments.ModelGrid);
+  if (!choice.Request || arguments.Memory > 0) // slabs are those of the file
+  {
+    return;
+  }
+  choice.Request->Threads = arguments.Options.NumberOfThreads;
+  segments.Model = FindModelLabels(ReadActiveLabels(segments.Map), *choice.Request);
+  if (segments.Model.AreFound())
+  {
+    segments.MapOfFile = segments.Map;
+    segments.Map = MakeModelImage(segments.Map, segments.Model);
+  }
+  else if (choice.IsRequired())
+  {
+    Reject(arguments.Inputs[0], NoModelGridReason);
+  }
+}
+}
+
 SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::string>& warnings)
 {
   const std::string& path = arguments.Inputs[0];
@@ -24,9 +53,11 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
   const std::vector<NamedLabel> chosen = ChooseSegments(found, arguments.Segments, path, warnings);
   segments.Note = found.Note;
   WriteNamedLabels(found.Present, segments.Map->GetFieldData());
+  UseModelGrid(arguments, segments);
   segments.Map = ChangePieces(segments.Map, chosen, arguments, segments.Changed, warnings);
   vtkNew<vtkBoneSurfaces> extraction;
   extraction->SetInputData(segments.Map);
+  extraction->SetModelGrid("off");
   extraction->SetNumberOfThreads(arguments.Options.NumberOfThreads);
   for (const NamedLabel& label : chosen)
   {
@@ -39,6 +70,20 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
     AddLeftOutOfReader(entry, segments.Surface);
   }
   return segments;
+}
+
+std::pair<std::int64_t, std::int64_t> CompareWithMapOfFile(vtkPolyData* surface, vtkImageData* map,
+  const Arguments& arguments, std::vector<std::string>& warnings)
+{
+  vtkNew<vtkPolyData> withoutGrid; // whose voxels are not those of the file
+  withoutGrid->ShallowCopy(surface);
+  withoutGrid->GetFieldData()->RemoveArray(GridDimensionsName);
+  vtkNew<vtkBoneVoxelCheck> check;
+  check->SetInputData(0, withoutGrid);
+  check->SetInputData(1, map);
+  check->SetNumberOfThreads(arguments.Options.NumberOfThreads);
+  AcceptMessages(UpdateFilter(check, Progress::Hidden), arguments.Inputs[0], warnings);
+  return { check->GetNumberOfComparedVoxels(), check->GetNumberOfChangedVoxels() };
 }
 
 vtkSmartPointer<vtkPolyData> WithColorArray(vtkPolyData* surface)

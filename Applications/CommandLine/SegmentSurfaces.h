@@ -8,13 +8,16 @@
 #define BoneDecimate_Applications_SegmentSurfaces_h
 
 #include "Arguments.h"
+#include "ImageLabels.h"
 #include "VoxelPieces.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bonedecimate
@@ -23,13 +26,20 @@ struct SegmentSurfaces
 {
   vtkSmartPointer<vtkPolyData> Surface; ///< Surface of all segments together, by vtkBoneSurfaces.
   vtkSmartPointer<vtkImageData> Map;    ///< The map as it was extracted.
-  std::string Note;                     ///< Where names of labels are from; may be empty.
+  /// The map of the file, if the other one is that of a network from which it was copied.
+  vtkSmartPointer<vtkImageData> MapOfFile;
+  ModelLabels Model;      ///< How it was found.
+  std::string Note;       ///< Where names of labels are from; may be empty.
   PiecesOfLabels Changed; ///< What changed in the map on request; empty: nothing was requested.
 };
 
 /// Reads the label map and extracts the segments that the arguments choose. @throws
 /// Failure(ExitCode::InputRejected)
 SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::string>& warnings);
+
+/// Voxels of the map of the file, and how many have another label in the surface.
+std::pair<std::int64_t, std::int64_t> CompareWithMapOfFile(vtkPolyData* surface, vtkImageData* map,
+  const Arguments& arguments, std::vector<std::string>& warnings);
 
 /// The surface with the colors of its labels as the cell array Color, which formats with colors
 /// write; the same without colors.

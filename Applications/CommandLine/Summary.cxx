@@ -126,6 +126,19 @@ void PrintVoxels(const ReportFields& report)
   }
 }
 
+/// Only if the map of a network was extracted.
+void PrintModelGrid(const ReportSubject& subject)
+{
+  if (subject.ModelGrid)
+  {
+    const auto count = [](std::int64_t number) { return GroupedText(static_cast<double>(number)); };
+    std::cout << "model grid      " << subject.ModelGrid->Sentence << ", "
+              << count(subject.ModelGrid->ChangedInFile) << " of "
+              << count(subject.ModelGrid->ComparedInFile)
+              << " voxels of the file have another label\n";
+  }
+}
+
 void PrintSlabs(const ReportSubject& subject)
 {
   if (subject.Slabs)
@@ -305,6 +318,7 @@ void PrintSummary(
   }
   PrintParts(report);
   PrintVoxels(report);
+  PrintModelGrid(subject);
   PrintAngles(report);
   PrintEdges(report);
   PrintProof(report);

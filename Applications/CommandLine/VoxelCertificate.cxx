@@ -70,6 +70,12 @@ nlohmann::ordered_json VoxelCertificate::Json() const
 {
   nlohmann::ordered_json voxels = { { "compared", this->Check->GetNumberOfComparedVoxels() },
     { "changed", this->Check->GetNumberOfChangedVoxels() } };
+  if (const std::string model = this->Check->GetModelGridFound(); !model.empty())
+  {
+    voxels["model_grid"] = { { "sentence", model },
+      { "compared_in_file", this->Check->GetNumberOfComparedImageVoxels() },
+      { "changed_in_file", this->Check->GetNumberOfChangedImageVoxels() } };
+  }
   if (this->IsViolated())
   {
     int first[3];
@@ -101,6 +107,13 @@ void VoxelCertificate::Print() const
     std::cout << ", the first is " << first[0] << ", " << first[1] << ", " << first[2];
   }
   std::cout << "\n";
+  if (!check->GetModelGridFound().empty())
+  {
+    std::cout << "model grid           " << check->GetModelGridFound() << ", "
+              << count(check->GetNumberOfChangedImageVoxels()) << " of "
+              << count(check->GetNumberOfComparedImageVoxels())
+              << " voxels of the file have another label\n";
+  }
   for (int i = 0; i < check->GetNumberOfLabels(); ++i)
   {
     std::string name = (i == check->GetNumberOfLabels() - 1 ? "" : "label ") + NameOf(check, i);

@@ -3,25 +3,32 @@
 #include "ImageLabels.h"
 
 #include "LabelMapArrays.h"
+#include "Labels/ModelGrid/ModelGridChoice.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <optional>
 #include <type_traits>
 
 namespace bonedecimate
 {
 namespace
 {
+constexpr double LargestOffset = 0.01; // voxels
+
 /// The voxels are the points of the image, or its cells.
 VoxelGrid GridOf(vtkImageData* image, bool ofCells)
 {
@@ -168,6 +175,99 @@ ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int associ
       result.Problem = "the array has a type that is not supported";
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+ImageLabels ReadActiveLabels(vtkImageData* image)
+{
+  vtkDataArray* ofPoints = image->GetPointData()->GetScalars();
+  vtkDataArray* array = ofPoints ? ofPoints : image->GetCellData()->GetScalars();
+  return ReadImageLabels(image, array,
+    ofPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS);
+}
+
+bool AreSameGrids(const VoxelGrid& a, const VoxelGrid& b)
+{
+  if (a.Dimensions != b.Dimensions)
+  {
+    return false;
+  }
+  for (Index layer = 0; layer < static_cast<Index>(std::max(a.Layers.size(), b.Layers.size()));
+       ++layer)
+  {
+    if (!(std::abs(b.ToVoxels(a.ToMillimeters({ 0.0, 0.0, 1.0 * layer }))[2] - layer) <=
+          LargestOffset))
+    {
+      return false;
+    }
+  }
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    Vector3 voxel;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      voxel[axis] = (corner >> axis & 1) != 0 ? a.Dimensions[static_cast<std::size_t>(axis)] : 0;
+    }
+    if (!((b.ToVoxels(a.ToMillimeters(voxel)) - voxel).cwiseAbs().maxCoeff() <= LargestOffset))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+ModelLabels FindModelLabels(const ImageLabels& labels, const ModelGridRequest& request)
+{
+  const ModelGrid found = FindModelGrid(labels.Image, request);
+  ModelLabels model;
+  if (!found.IsFound)
+  {
+    return model;
+  }
+  const LabelImage map = found.Map();
+  const auto array = vtkSmartPointer<vtkDataArray>::Take(labels.Array->NewInstance());
+  array->SetName(labels.Array->GetName());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(map.Grid.NumberOfVoxels()));
+  std::memcpy(array->GetVoidPointer(0), map.Labels,
+    map.Grid.NumberOfVoxels() * static_cast<std::size_t>(array->GetDataTypeSize()));
+  model.Labels = { { array->GetVoidPointer(0), map.Type, map.Grid }, array, {} };
+  model.Sentence = ModelGridSentence(found);
+  model.Chance = found.Chance;
+  model.Different = found.Different;
+  return model;
+}
+
+vtkSmartPointer<vtkImageData> MakeModelImage(vtkImageData* image, const ModelLabels& model)
+{
+  const VoxelGrid& grid = model.Labels.Image.Grid;
+  auto made = vtkSmartPointer<vtkImageData>::New();
+  made->SetDimensions(grid.Dimensions.data());
+  made->SetOrigin(grid.Origin.data());
+  made->SetSpacing(grid.Spacing.data());
+  made->SetDirectionMatrix(
+    Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(grid.Direction).eval().data());
+  made->GetPointData()->SetScalars(model.Labels.Array);
+  made->GetFieldData()->ShallowCopy(image->GetFieldData());
+  return made;
+}
+
+ModelLabels FindLabelsOnGrid(const ImageLabels& labels, const VoxelGrid& grid, int threads)
+{
+  if (AreSameGrids(labels.Image.Grid, grid))
+  {
+    return { labels, {}, 1.0, 0 };
+  }
+  for (const std::optional<Vector3>& spacing :
+    { std::optional<Vector3>(), std::optional<Vector3>(grid.Spacing) })
+  {
+    ModelLabels model = FindModelLabels(labels, { spacing, threads });
+    if (model.AreFound() && AreSameGrids(model.Labels.Image.Grid, grid))
+    {
+      return model;
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------

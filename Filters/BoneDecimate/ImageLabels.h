@@ -8,6 +8,7 @@
 #define ImageLabels_h
 
 #include "Labels/LabelMap/LabelImage.h"
+#include "Labels/ModelGrid/ModelGrid.h"
 
 #include "vtkSmartPointer.h"
 
@@ -30,6 +31,32 @@ struct ImageLabels
 /// @param array Array of the image; may be null.
 /// @param association One of vtkDataObject::FieldAssociations: points or cells.
 ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association);
+
+struct ModelLabels
+{
+  ImageLabels Labels;         ///< The model's map; without labels if no grid was found.
+  std::string Sentence;       ///< What was found.
+  double Chance = 1.0;        ///< ModelGrid::Chance
+  std::int64_t Different = 0; ///< ModelGrid::Different
+
+  bool AreFound() const { return this->Labels.Image.Labels != nullptr; }
+};
+
+/// The map of the network from which the labels were copied.
+ModelLabels FindModelLabels(const ImageLabels& labels, const ModelGridRequest& request);
+
+/// The same for the active scalars of an image; null if no grid was found. Field data is passed.
+vtkSmartPointer<vtkImageData> MakeModelImage(vtkImageData* image, const ModelLabels& model);
+
+/// The active scalars of the points, or else of the cells.
+ImageLabels ReadActiveLabels(vtkImageData* image);
+
+/// Whether all voxels have the same centers, up to rounding.
+bool AreSameGrids(const VoxelGrid& a, const VoxelGrid& b);
+
+/// The labels on the grid of a surface that was extracted from them: if that is not the grid of
+/// the labels, those of the model. Without labels if it is the grid of neither.
+ModelLabels FindLabelsOnGrid(const ImageLabels& labels, const VoxelGrid& grid, int threads);
 
 /// Requests all of the image, whatever part the consumer requests.
 void RequestWholeImage(vtkInformation* input);

@@ -25,47 +25,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double LargestOffset = 0.01; // voxels
-
-ImageLabels ActiveLabels(vtkImageData* image)
-{
-  vtkDataArray* ofPoints = image->GetPointData()->GetScalars();
-  vtkDataArray* array = ofPoints ? ofPoints : image->GetCellData()->GetScalars();
-  return ReadImageLabels(image, array,
-    ofPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS);
-}
-
-/// Whether all voxels have the same centers, up to rounding.
-bool AreSame(const VoxelGrid& a, const VoxelGrid& b)
-{
-  if (a.Dimensions != b.Dimensions)
-  {
-    return false;
-  }
-  for (Index layer = 0; layer < static_cast<Index>(std::max(a.Layers.size(), b.Layers.size()));
-       ++layer)
-  {
-    if (!(std::abs(b.ToVoxels(a.ToMillimeters({ 0.0, 0.0, 1.0 * layer }))[2] - layer) <=
-          LargestOffset))
-    {
-      return false;
-    }
-  }
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    Vector3 voxel;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      voxel[axis] = (corner >> axis & 1) != 0 ? a.Dimensions[static_cast<std::size_t>(axis)] : 0;
-    }
-    if (!((b.ToVoxels(a.ToMillimeters(voxel)) - voxel).cwiseAbs().maxCoeff() <= LargestOffset))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 /// The grid of a binary surface, with as many voxels as it reaches over.
 std::optional<LabelMapSource> FindGridOf(const Surface& surface)
 {
@@ -119,13 +78,17 @@ private:
   void ReadMap(const LabelMapRequest& request)
   {
     LabelMapSource& source = this->Read.Source;
-    this->Read.Image = ActiveLabels(request.Map);
-    const VoxelGrid& grid = this->Read.Image.Image.Grid;
+    this->Read.Image = ReadActiveLabels(request.Map);
     this->Read.Problem = this->Read.Image.Problem;
-    if (this->Read.Problem.empty() && this->Read.Known() != nullptr && !AreSame(source.Grid, grid))
+    if (this->Read.Problem.empty() && this->Read.Known() != nullptr)
     {
-      this->Read.Problem = "the voxel grid of the surface is not that of the label map";
+      ModelLabels onGrid =
+        FindLabelsOnGrid(this->Read.Image, source.Grid, this->Requested.NumberOfThreads);
+      this->Read.Problem =
+        onGrid.AreFound() ? "" : "the voxel grid of the surface is not that of the label map";
+      this->Read.Image = std::move(onGrid.Labels);
     }
+    const VoxelGrid& grid = this->Read.Image.Image.Grid;
     if (this->Read.Problem.empty())
     {
       source.Grid = grid;

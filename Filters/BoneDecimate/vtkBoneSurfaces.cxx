@@ -8,6 +8,7 @@
 #include "LabelMapArrays.h"
 #include "Labels/LabelMap/LabelSurfaces.h"
 #include "Labels/LabelMap/SingleLabel.h"
+#include "Labels/ModelGrid/ModelGridChoice.h"
 #include "Pieces.h"
 #include "RejectedValues.h"
 #include "SurfaceArrays.h"
@@ -27,12 +28,36 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 #include <vector>
 
 struct vtkBoneSurfaces::Internals
 {
   std::vector<std::int64_t> Labels;
   bonedecimate::RejectedValues Rejected;
+  std::string ModelGrid = "auto";
+  std::string ModelGridFound;
+
+  /// The labels to extract: those of the image, or of the map of the network. Sets the problem if
+  /// that was requested and is not there.
+  bonedecimate::ImageLabels Choose(bonedecimate::ImageLabels labels, int threads)
+  {
+    bonedecimate::ModelGridChoice choice = bonedecimate::ReadModelGridChoice(this->ModelGrid);
+    if (!choice.Request)
+    {
+      return labels;
+    }
+    choice.Request->Threads = threads;
+    bonedecimate::ModelLabels model = bonedecimate::FindModelLabels(labels, *choice.Request);
+    if (!model.AreFound())
+    {
+      labels.Problem = choice.IsRequired() ? bonedecimate::NoModelGridReason : "";
+      return labels;
+    }
+    this->ModelGridFound = model.Sentence;
+    return std::move(model.Labels);
+  }
 };
 
 vtkStandardNewMacro(vtkBoneSurfaces);
@@ -181,6 +206,23 @@ void vtkBoneSurfaces::SetOutputPointsPrecision(int precision)
     { SINGLE_PRECISION, DEFAULT_PRECISION, true, {} }, precision, this->OutputPointsPrecision);
 }
 
+void vtkBoneSurfaces::SetModelGrid(const std::string& choice)
+{
+  const std::string problem = bonedecimate::ReadModelGridChoice(choice).Problem;
+  this->Internal->Rejected.Set(this, "ModelGrid",
+    problem.empty() ? problem : "ModelGrid " + problem, choice, this->Internal->ModelGrid);
+}
+
+std::string vtkBoneSurfaces::GetModelGrid() const
+{
+  return this->Internal->ModelGrid;
+}
+
+std::string vtkBoneSurfaces::GetModelGridFound() const
+{
+  return this->Internal->ModelGridFound;
+}
+
 std::string vtkBoneSurfaces::GetRejectedValue(const std::string& property) const
 {
   return this->Internal->Rejected.Of(property);
@@ -231,7 +273,12 @@ bool vtkBoneSurfaces::Extract(
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = this->GetInputArrayToProcess(0, image, association);
-  const bonedecimate::ImageLabels labels = bonedecimate::ReadImageLabels(image, array, association);
+  bonedecimate::ImageLabels labels = bonedecimate::ReadImageLabels(image, array, association);
+  this->Internal->ModelGridFound.clear();
+  if (labels.Problem.empty())
+  {
+    labels = this->Internal->Choose(std::move(labels), this->NumberOfThreads);
+  }
   if (!labels.Problem.empty())
   {
     vtkErrorMacro(<< labels.Problem);
@@ -305,6 +352,7 @@ void vtkBoneSurfaces::PrintSelf(ostream& os, vtkIndent indent)
   os << (this->Internal->Labels.empty() ? " all\n" : "\n");
   os << indent << "BackgroundLabel: " << this->BackgroundLabel << "\n";
   os << indent << "Closed: " << (this->Closed ? "on" : "off") << "\n";
+  os << indent << "ModelGrid: " << this->Internal->ModelGrid << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -114,6 +114,23 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether the surfaces are those of the map of a network, from whose grid the labels were copied
+   * to the voxels of the image: "auto", the default, if that is certain; "off"; or the spacing of
+   * the network in mm, one number or three with commas in between, which is an error if the
+   * labels are no copy from such a grid. The voxel grid of the output is then that of the network.
+   */
+  void SetModelGrid(const std::string& choice);
+  std::string GetModelGrid() const;
+  ///@}
+
+  /**
+   * What the last update found of the grid of a network, in one sentence; empty if the surfaces are
+   * those of the voxels of the image.
+   */
+  std::string GetModelGridFound() const;
+
   /**
    * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if
    * it was valid.

@@ -31,6 +31,8 @@ struct vtkBoneVoxelCheck::Internals
 {
   bonedecimate::RejectedValues Rejected;
   bonedecimate::VoxelChanges Changes;
+  std::string ModelGridFound;
+  bonedecimate::VoxelChanges ImageChanges; // besides those of the map of a network
   std::vector<std::int64_t> Values;
   std::vector<std::int64_t> LeftOut;
 
@@ -79,6 +81,21 @@ vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfComparedVoxels() const
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfChangedVoxels() const
 {
   return this->Internal->Changes.Changed;
+}
+
+std::string vtkBoneVoxelCheck::GetModelGridFound() const
+{
+  return this->Internal->ModelGridFound;
+}
+
+vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfComparedImageVoxels() const
+{
+  return this->Internal->ImageChanges.Compared;
+}
+
+vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfChangedImageVoxels() const
+{
+  return this->Internal->ImageChanges.Changed;
 }
 
 void vtkBoneVoxelCheck::GetFirstChangedVoxel(int voxel[3]) const
@@ -147,6 +164,8 @@ int vtkBoneVoxelCheck::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Internal->Changes = {};
+  this->Internal->ImageChanges = {};
+  this->Internal->ModelGridFound.clear();
   this->Internal->Values.clear();
   this->Internal->LeftOut.clear();
   if (this->Internal->Rejected.Report(this))
@@ -191,10 +210,11 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = this->GetInputArrayToProcess(0, image, association);
-  const bonedecimate::ImageLabels labels = bonedecimate::ReadImageLabels(image, array, association);
-  if (!labels.Problem.empty())
+  const bonedecimate::ImageLabels ofImage =
+    bonedecimate::ReadImageLabels(image, array, association);
+  if (!ofImage.Problem.empty())
   {
-    return labels.Problem;
+    return ofImage.Problem;
   }
   const bonedecimate::ConvertedSurface converted =
     bonedecimate::ToSurface(surface, this->NumberOfThreads);
@@ -203,6 +223,10 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
   {
     return map.Problem;
   }
+  const bonedecimate::ModelLabels model = map.Source.Grid.Dimensions[0] > 0
+    ? bonedecimate::FindLabelsOnGrid(ofImage, map.Source.Grid, this->NumberOfThreads)
+    : bonedecimate::ModelLabels();
+  const bonedecimate::ImageLabels& labels = model.AreFound() ? model.Labels : ofImage;
   bonedecimate::Report found;
   found.Status = bonedecimate::CheckForVoxels(
     converted.Surface, labels.Image.Grid, this->NumberOfThreads, found.Cleaning);
@@ -236,12 +260,21 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
     { return std::find(values.begin(), values.end(), value) == values.end(); });
   this->Internal->Values = values;
   bonedecimate::VoxelCheckSettings settings;
-  settings.Grid = labels.Image.Grid;
   settings.NumberOfLabels = static_cast<bonedecimate::Index>(map.Source.Values.size());
   settings.Threads = this->NumberOfThreads;
-  this->Internal->Changes = bonedecimate::CompareVoxels(labels.Image, map.Source.Values,
-    { converted.Surface, map.Source.OfTriangle }, settings,
-    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
+  const auto compare = [&](const bonedecimate::LabelImage& reference)
+  {
+    settings.Grid = reference.Grid;
+    return bonedecimate::CompareVoxels(reference, map.Source.Values,
+      { converted.Surface, map.Source.OfTriangle }, settings,
+      [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
+  };
+  this->Internal->Changes = compare(labels.Image);
+  this->Internal->ModelGridFound = model.Sentence;
+  if (!model.Sentence.empty())
+  {
+    this->Internal->ImageChanges = compare(ofImage.Image);
+  }
   return {};
 }
 
@@ -254,5 +287,6 @@ void vtkBoneVoxelCheck::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "NumberOfComparedVoxels: " << this->GetNumberOfComparedVoxels() << "\n";
   os << indent << "NumberOfChangedVoxels: " << this->GetNumberOfChangedVoxels() << "\n";
+  os << indent << "ModelGridFound: " << this->GetModelGridFound() << "\n";
   os << indent << "NumberOfLabelsLeftOut: " << this->GetNumberOfLabelsLeftOut() << "\n";
 }

@@ -10,6 +10,11 @@
  * of one label, Label. Labels of the image that the surface does not have count as background;
  * GetNumberOfLabelsLeftOut() says how many these are.
  *
+ * A surface with another voxel grid than the image may be that of the map of a network, from whose
+ * grid the labels of the image were copied (ModelGrid of vtkBoneSurfaces). If the image is such a
+ * copy, the voxels compared are those of the network's map; GetModelGridFound() says so, and the
+ * voxels of the image are compared as well.
+ *
  * The array of labels is chosen by SetInputArrayToProcess with port 1, by default the active
  * scalars. The output is the surface, unchanged. The check has no code in common with the filters
  * that make surfaces.
@@ -76,7 +81,23 @@ public:
   vtkTypeInt64 GetNumberOfChangedVoxels() const;
 
   /**
-   * Indices of the first changed voxel along x, y and z, counted from the first voxel of the image;
+   * Whether the voxels are those of the map of a network, in one sentence; empty: those of the
+   * image.
+   */
+  std::string GetModelGridFound() const;
+
+  ///@{
+  /**
+   * The numbers of compared and of changed voxels of the image, if the others are those of the map
+   * of a network; else 0.
+   */
+  vtkTypeInt64 GetNumberOfComparedImageVoxels() const;
+  vtkTypeInt64 GetNumberOfChangedImageVoxels() const;
+  ///@}
+
+  /**
+   * Indices of the first changed voxel along x, y and z, counted from the first voxel of the
+   * map;
    * meaningless if none is changed.
    */
   void GetFirstChangedVoxel(int voxel[3]) const;

@@ -85,7 +85,7 @@ void ExplainChange(const Region& region, double layer, double tolerance, std::ve
 /// All regions that explain all changes; none if they become too many.
 /// @param tolerance Negative: without borders at centers of layers.
 std::vector<Region> ExplainChanges(
-  const std::vector<Index>& changes, const LengthRange& lengths, double tolerance)
+  const std::vector<Index>& changes, const CellLengths& lengths, double tolerance)
 {
   const double first = changes.front() - 1.0 - tolerance;
   const double last = changes.front() + tolerance;
@@ -167,7 +167,7 @@ private:
  *     centers aligned        layer i has the sample nearest to (i + 1/2) m / n - 1/2
  *     first center aligned   layer i has the sample nearest to i / Length, of a usual length
  */
-void ConsiderUsualCells(Index layers, const LengthRange& lengths, BestLine& best)
+void ConsiderUsualCells(Index layers, const CellLengths& lengths, BestLine& best)
 {
   const auto consider = [&](double first, const auto& lineOf)
   {
@@ -285,7 +285,7 @@ AxisCells CellsOfLayers(Index layers)
 }
 
 std::optional<AxisCells> FindAxisCells(
-  const std::vector<Index>& changes, Index layers, const LengthRange& lengths)
+  const std::vector<Index>& changes, Index layers, const CellLengths& lengths)
 {
   if (changes.size() < 2)
   {
@@ -303,7 +303,7 @@ std::optional<AxisCells> FindAxisCells(
   {
     return std::nullopt;
   }
-  const LengthRange range = { shortest, longest, 0.0 };
+  const CellLengths range = { shortest, longest, 0.0 };
   std::vector<Region> regions = ExplainChanges(changes, range, -Tolerance);
   regions = regions.empty() ? ExplainChanges(changes, range, Tolerance) : std::move(regions);
   if (regions.empty())

@@ -46,7 +46,7 @@ struct AxisCells
 /// Each layer is a cell.
 AxisCells CellsOfLayers(Index layers);
 
-struct LengthRange
+struct CellLengths
 {
   double Least = 1.0;
   double Largest = 0.0;   ///< 0: not limited.
@@ -59,7 +59,7 @@ struct LengthRange
  * @returns Nothing if no cells explain all changes.
  */
 std::optional<AxisCells> FindAxisCells(
-  const std::vector<Index>& changes, Index layers, const LengthRange& lengths);
+  const std::vector<Index>& changes, Index layers, const CellLengths& lengths);
 }
 
 #endif

@@ -108,7 +108,7 @@ private:
     const double length = (*this->Request.Spacing)[static_cast<Eigen::Index>(axis)] / spacing;
     for (const double tolerance : SpacingTolerances)
     {
-      const LengthRange range = { (1.0 - tolerance) * length, (1.0 + tolerance) * length, length };
+      const CellLengths range = { (1.0 - tolerance) * length, (1.0 + tolerance) * length, length };
       const auto cells =
         length > 1.0 ? FindAxisCells(changes, layers, range) : std::optional<AxisCells>();
       if (cells)
@@ -283,6 +283,12 @@ private:
 
 ModelGrid FindModelGrid(const LabelImage& image, const ModelGridRequest& request)
 {
+  const std::array<Index, 3>& size = image.Grid.Dimensions;
+  const Index least = request.Spacing ? 1 : static_cast<Index>(MinChanges) + 1;
+  if (!image.Grid.IsValid() || *std::min_element(size.begin(), size.end()) < least)
+  {
+    return {};
+  }
   return Search(image, request).Go();
 }
 }
