@@ -337,7 +337,7 @@ std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Argum
   if (!bone.Volume)
   {
     for (const char* ofVolumes :
-      { "iso", "intensities", "segments", "label-names", "format", "fill-volume" })
+      { "iso", "intensities", "segments", "label-names", "format", "fill-volume", "model-grid" })
     {
       given.erase(ofVolumes);
     }

@@ -164,12 +164,12 @@ inline Copied MakeCopied(std::uint64_t seed, int convention)
   Copied copied;
   std::array<Index, 3> samples;
   std::array<double, 3> lengths;
-  const double length = random.Between(1.3, 4.0);
+  const double length = random.Between(1.3, 4.0); // layers per sample
   const bool isIsotropic = random.Uniform() < 0.5;
   for (std::size_t k = 0; k < 3; ++k)
   {
     samples[k] = 30 + random.Below(40);
-    lengths[k] = isIsotropic ? length : random.Between(1.2, 4.0);
+    lengths[k] = isIsotropic ? length : random.Between(1.3, 4.0);
   }
   copied.Labels = 1 + random.Below(random.Uniform() < 0.5 ? 5 : 120);
   copied.Model = Sampled(samples,

@@ -16,8 +16,8 @@ constexpr double Tolerance = 1e-6;
 /// Ways of rounding in the same direction for all even borders, and for all odd ones.
 constexpr double ConsistentTies = 4.0;
 constexpr std::size_t MaxRegions = 20000;
-/// How much finer than the coarsest cells usual ones may be.
-constexpr double UsualRatio = 0.95;
+constexpr std::size_t MaxConsidered = 64; // regions
+constexpr double MuchLess = 0.1;          // ratio of chances
 
 struct Line
 {
@@ -133,32 +133,107 @@ double RoundingsOf(const Line& line, const std::vector<Index>& changes)
   return isConsistent ? ConsistentTies : std::max(roundings, ConsistentTies);
 }
 
-/// The line with fewest ways of rounding, the first of several.
+/// Layers before which there is a border. A border at the center of a layer is before
+/// or behind it, wherever labels change.
+std::vector<bool> BorderPlanes(const Line& line, const std::vector<Index>& changes, Index layers)
+{
+  std::vector<bool> isBorder(static_cast<std::size_t>(layers), false);
+  const auto changesAt = [&](double layer)
+  { return std::binary_search(changes.begin(), changes.end(), static_cast<Index>(layer)); };
+  double border = std::ceil(-line.Border / line.Length - 1.0);
+  for (;; border += 1.0)
+  {
+    const double position = line.Border + border * line.Length;
+    const double nearest = std::floor(position + 0.5);
+    const bool isCenter = std::abs(position - nearest) <= 2.0 * Tolerance;
+    const double layer = !isCenter                      ? std::ceil(position)
+      : changesAt(nearest + 1.0) && !changesAt(nearest) ? nearest + 1.0
+                                                        : nearest;
+    if (layer >= layers)
+    {
+      return isBorder;
+    }
+    if (layer >= 1.0)
+    {
+      isBorder[static_cast<std::size_t>(layer)] = true;
+    }
+  }
+}
+
+/**
+ * At most: the number of sets of borders, with the first and the last change at its ends, times the
+ * probability that all other changes lie on borders of one of them (Documentation/model-grid.md).
+ */
+double ChanceOf(
+  const std::vector<Index>& changes, const std::vector<bool>& isBorder, double roundings)
+{
+  const double between = changes.back() - changes.front() - 1.0;
+  const double borders = static_cast<double>(
+    std::count(isBorder.begin() + changes.front() + 1, isBorder.begin() + changes.back(), true));
+  double chance = roundings * (between + 1.0) * (between + 2.0) * (between + 3.0) / 6.0;
+  for (std::size_t i = 0; i + 2 < changes.size(); ++i)
+  {
+    const auto placed = static_cast<double>(i);
+    chance *= (borders - placed) / (between - placed);
+  }
+  return std::min(1.0, chance);
+}
+
+/// The line with the least chance, the first of several that hardly differ in it.
 class BestLine
 {
 public:
-  explicit BestLine(const std::vector<Index>& changes)
+  BestLine(const std::vector<Index>& changes, Index layers)
     : Changes(changes)
+    , Layers(layers)
   {
   }
 
   void Consider(const Line& line)
   {
     const double roundings = RoundingsOf(line, this->Changes);
-    if (roundings > 0.0 && (this->Roundings == 0.0 || roundings < this->Roundings))
+    if (roundings > 0.0)
     {
-      this->Roundings = roundings;
-      this->Best = line;
+      std::vector<bool> isBorder = BorderPlanes(line, this->Changes, this->Layers);
+      const double chance = ChanceOf(this->Changes, isBorder, roundings);
+      if (this->IsBorder.empty() || chance < MuchLess * this->Chance)
+      {
+        this->Best = line;
+        this->Chance = chance;
+        this->IsBorder = std::move(isBorder);
+      }
     }
   }
 
-  const Line& Get() const { return this->Best; }
-  double GetRoundings() const { return this->Roundings; }
+  std::optional<AxisCells> Cells() const
+  {
+    if (this->IsBorder.empty())
+    {
+      return std::nullopt;
+    }
+    AxisCells cells;
+    Index cell = 0;
+    for (const bool isNext : this->IsBorder)
+    {
+      cell += isNext ? 1 : 0;
+      cells.OfLayer.push_back(cell);
+    }
+    // The border that explains the first change is that before its cell.
+    const Index first = this->Changes.front();
+    const double border = std::floor((first + Tolerance - this->Best.Border) / this->Best.Length);
+    cells.Length = this->Best.Length;
+    cells.FirstSample = this->Best.Border +
+      (border + 0.5 - cells.OfLayer[static_cast<std::size_t>(first)]) * this->Best.Length;
+    cells.Chance = this->Chance;
+    return cells;
+  }
 
 private:
   const std::vector<Index>& Changes;
+  Index Layers;
   Line Best = { 0.0, 1.0 };
-  double Roundings = 0.0;
+  double Chance = 1.0;
+  std::vector<bool> IsBorder;
 };
 
 /**
@@ -209,70 +284,15 @@ double LongestOf(const Region& region)
     ->Length;
 }
 
-/// Layers before which there is a border. A border at the center of a layer is before
-/// or behind it, wherever labels change.
-std::vector<bool> BorderPlanes(const Line& line, const std::vector<Index>& changes, Index layers)
+/// The middles of the coarsest regions.
+void ConsiderRegions(std::vector<Region> regions, BestLine& best)
 {
-  std::vector<bool> isBorder(static_cast<std::size_t>(layers), false);
-  const auto changesAt = [&](double layer)
-  { return std::binary_search(changes.begin(), changes.end(), static_cast<Index>(layer)); };
-  double border = std::ceil(-line.Border / line.Length - 1.0);
-  for (;; border += 1.0)
+  std::stable_sort(regions.begin(), regions.end(),
+    [](const Region& a, const Region& b) { return LongestOf(a) > LongestOf(b); });
+  for (std::size_t i = 0; i < std::min(regions.size(), MaxConsidered); ++i)
   {
-    const double position = line.Border + border * line.Length;
-    const double nearest = std::floor(position + 0.5);
-    const bool isCenter = std::abs(position - nearest) <= 2.0 * Tolerance;
-    const double layer = !isCenter                      ? std::ceil(position)
-      : changesAt(nearest + 1.0) && !changesAt(nearest) ? nearest + 1.0
-                                                        : nearest;
-    if (layer >= layers)
-    {
-      return isBorder;
-    }
-    if (layer >= 1.0)
-    {
-      isBorder[static_cast<std::size_t>(layer)] = true;
-    }
+    best.Consider(MeanOf(regions[i].Corners));
   }
-}
-
-/**
- * At most: the number of sets of borders, with the first and the last change at its ends, times the
- * probability that all other changes lie on borders of one of them (Documentation/model-grid.md).
- */
-double ChanceOf(
-  const std::vector<Index>& changes, const std::vector<bool>& isBorder, double roundings)
-{
-  const double between = changes.back() - changes.front() - 1.0;
-  const double borders = static_cast<double>(
-    std::count(isBorder.begin() + changes.front() + 1, isBorder.begin() + changes.back(), true));
-  double chance = roundings * (between + 1.0) * (between + 2.0) * (between + 3.0) / 6.0;
-  for (std::size_t i = 0; i + 2 < changes.size(); ++i)
-  {
-    const auto placed = static_cast<double>(i);
-    chance *= (borders - placed) / (between - placed);
-  }
-  return std::min(1.0, chance);
-}
-
-AxisCells CellsOf(const BestLine& best, const std::vector<Index>& changes, Index layers)
-{
-  const Line& line = best.Get();
-  const std::vector<bool> isBorder = BorderPlanes(line, changes, layers);
-  AxisCells cells;
-  Index cell = 0;
-  for (const bool isNext : isBorder)
-  {
-    cell += isNext ? 1 : 0;
-    cells.OfLayer.push_back(cell);
-  }
-  // The border that explains the first change is that before its cell.
-  const double cellBehind = cells.OfLayer[static_cast<std::size_t>(changes.front())];
-  const double border = std::floor((changes.front() + Tolerance - line.Border) / line.Length);
-  cells.Length = line.Length;
-  cells.FirstSample = line.Border + (border + 0.5 - cellBehind) * line.Length;
-  cells.Chance = ChanceOf(changes, isBorder, best.GetRoundings());
-  return cells;
 }
 }
 
@@ -303,21 +323,11 @@ std::optional<AxisCells> FindAxisCells(
   {
     return std::nullopt;
   }
-  const CellLengths range = { shortest, longest, 0.0 };
-  std::vector<Region> regions = ExplainChanges(changes, range, -Tolerance);
-  regions = regions.empty() ? ExplainChanges(changes, range, Tolerance) : std::move(regions);
-  if (regions.empty())
-  {
-    return std::nullopt;
-  }
-  const Region& coarsest = *std::max_element(regions.begin(), regions.end(),
-    [](const Region& a, const Region& b) { return LongestOf(a) < LongestOf(b); });
-  const double length = LongestOf(coarsest);
-  BestLine best(changes);
-  ConsiderUsualCells(
-    layers, { std::max(shortest, UsualRatio * length), length, lengths.UsualStep }, best);
-  best.Consider(MeanOf(coarsest.Corners));
-  return best.GetRoundings() > 0.0 ? std::optional<AxisCells>(CellsOf(best, changes, layers))
-                                   : std::nullopt;
+  const CellLengths range = { shortest, longest, lengths.UsualStep };
+  BestLine best(changes, layers);
+  ConsiderUsualCells(layers, range, best);
+  ConsiderRegions(ExplainChanges(changes, range, -Tolerance), best);
+  ConsiderRegions(ExplainChanges(changes, range, Tolerance), best);
+  return best.Cells();
 }
 }

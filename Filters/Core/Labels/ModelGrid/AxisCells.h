@@ -14,7 +14,8 @@
  *
  *     regions := all (Border, Length) that explain the first change
  *     for each further change: cut each region with the strip of each border that can explain it
- *     the coarsest of what is left; a usual one if there is (UsualCells)
+ *     of the lines as programs make them and the middles of the coarsest regions, the one by which
+ *     random changes would be explained with the least chance; that is one of the coarsest
  *
  * Regions are convex polygons. Two borders that explain the same change make two regions, of which
  * the next changes leave few.

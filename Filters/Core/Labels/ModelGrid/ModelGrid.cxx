@@ -13,6 +13,8 @@ namespace bonedecimate
 {
 namespace
 {
+/// The steps of an oblique plane are regular along one axis.
+constexpr double MaxChanceOfOneAxis = 1e-12;
 constexpr double MaxChance = 1e-6;      // of all axes together
 constexpr double MaxChanceOfAxis = 0.1; // of each that counts
 constexpr std::size_t MinChanges = 4;   // layers with changes along each axis
@@ -67,7 +69,7 @@ private:
   {
     ModelGrid model;
     bool isDense = true;
-    bool isCoarser = false;
+    int coarserAxes = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const std::vector<Index> changes =
@@ -75,14 +77,15 @@ private:
       AxisCells& cells = model.Axes[axis];
       cells = this->CellsAlong(axis, changes);
       model.Chance *= cells.Chance;
-      isCoarser = isCoarser || cells.IsFound();
+      coarserAxes += cells.IsFound() ? 1 : 0;
       isDense = isDense && changes.size() >= MinChanges &&
         (cells.IsFound() || this->IsUneven(axis) ||
           static_cast<double>(changes.size()) >=
             MinDensity * (changes.back() - changes.front() + 1.0));
     }
     const bool isRequested = this->Request.Spacing.has_value();
-    if (isCoarser && (isRequested || (isDense && model.Chance < MaxChance)))
+    const double most = coarserAxes == 1 ? MaxChanceOfOneAxis : MaxChance;
+    if (coarserAxes > 0 && (isRequested || (isDense && model.Chance < most)))
     {
       this->ReadMap(model);
       model.IsFound = this->IsAlike(model) && (isRequested || IsCurved(model));
