@@ -307,7 +307,7 @@ TEST(BoneSurfaces, PrintTheirProperties)
   std::ostringstream text;
   filter->Print(text);
   for (const char* property : { "Labels: 12", "BackgroundLabel: 0", "Closed: on",
-         "NumberOfThreads: 0", "OutputPointsPrecision: 2" })
+         "ModelGrid: auto", "NumberOfThreads: 0", "OutputPointsPrecision: 2" })
   {
     EXPECT_NE(text.str().find(property), std::string::npos) << property;
   }

@@ -6,6 +6,7 @@
 #include "Labels/LabelMap/LabelSurfaces.h"
 #include "Labels/LabelMap/SingleLabel.h"
 #include "Labels/LabelMap/VoxelCheck.h"
+#include "Labels/ModelGrid/ModelGridChoice.h"
 #include "Listener.h"
 
 #include <nanobind/stl/array.h>
@@ -107,6 +108,40 @@ nb::dict Extract(const VolumeIn& labels, const std::array<double, 3>& origin,
   return ToDict(
     Listener(std::move(progress))
       .Hear([&](const Monitor& monitor) { return ExtractLabelSurfaces(image, options, monitor); }));
+}
+
+/// The map of a network, its labels as bytes; None if there is none.
+nb::object ModelMap(const VolumeIn& labels, const std::array<double, 3>& origin,
+  const std::array<double, 3>& spacing, const std::array<double, 9>& direction,
+  const std::vector<double>& layers, const std::string& text)
+{
+  const ModelGridChoice choice = ReadModelGridChoice(text);
+  if (!choice.Problem.empty())
+  {
+    throw nb::value_error(("model_grid " + choice.Problem).c_str());
+  }
+  ModelGrid found;
+  if (choice.Request)
+  {
+    const nb::gil_scoped_release others;
+    found = FindModelGrid({ labels.data(), TypeOf(labels.dtype()),
+                            GridOf(origin, spacing, direction, layers, DimensionsOf(labels)) },
+      *choice.Request);
+  }
+  if (!found.IsFound && choice.IsRequired())
+  {
+    throw nb::value_error(NoModelGridReason);
+  }
+  if (!found.IsFound)
+  {
+    return nb::none();
+  }
+  const VoxelGrid& grid = found.Grid;
+  return nb::make_tuple(nb::bytes(static_cast<const char*>(found.Map().Labels),
+                          grid.NumberOfVoxels() * labels.itemsize()),
+    grid.Dimensions, std::array<double, 3>{ grid.Origin[0], grid.Origin[1], grid.Origin[2] },
+    std::array<double, 3>{ grid.Spacing[0], grid.Spacing[1], grid.Spacing[2] },
+    ModelGridSentence(found));
 }
 
 using VolumeInOut = nb::ndarray<nb::ndim<3>, nb::c_contig, nb::device::cpu>;
@@ -221,6 +256,11 @@ void BindLabelMaps(nb::module_& module)
     nb::arg("direction"), nb::arg("layers"), nb::arg("chosen"), nb::arg("background"),
     nb::arg("closed"), nb::arg("threads"), nb::arg("progress").none(),
     "The surfaces of a label map with indices z, y, x; the direction is row by row.");
+  module.def("model_map", &ModelMap, nb::arg("labels"), nb::arg("origin"), nb::arg("spacing"),
+    nb::arg("direction"), nb::arg("layers"), nb::arg("choice"),
+    "The map of a network from which a label map was copied: labels, dimensions, origin, spacing "
+    "and "
+    "a sentence; None if there is none.");
   module.def("change_pieces", &Change, nb::arg("labels"), nb::arg("origin"), nb::arg("spacing"),
     nb::arg("direction"), nb::arg("layers"), nb::arg("chosen"), nb::arg("background"),
     nb::arg("islands"), nb::arg("cavity_volume"),

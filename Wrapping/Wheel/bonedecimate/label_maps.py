@@ -33,12 +33,13 @@ class LabelSurfaces:
     boundary_labels: NDArray[np.int64]  #: (m, 2), the labels on both sides: the smaller first, the background second
     grid_points: NDArray[np.int32]  #: (n, 3), x, y, z: twice the voxel coordinates of the middle of a grid edge, face or cell
     label_values: NDArray[np.int64]  #: the labels, ascending, and at the end the background
-    grid: VoxelGrid  #: of the label map
+    grid: VoxelGrid  #: of the label map, or of that of a network from which it was copied
+    model_grid_found: str  #: what was found of the grid of a network, in one sentence; empty: nothing
 
-    def __init__(self, outcome: dict, grid: VoxelGrid) -> None:
+    def __init__(self, outcome: dict, grid: VoxelGrid, model_grid_found: str = "") -> None:
         for name in ("points", "triangles", "boundary_labels", "grid_points", "label_values"):
             setattr(self, name, outcome[name])
-        self.grid = grid
+        self.grid, self.model_grid_found = grid, model_grid_found
 
     @property
     def walls(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -69,6 +70,7 @@ def extract_surfaces(
     labels: Iterable[int] | None = None,
     background: int = 0,
     closed: bool = True,
+    model_grid: str | float | Sequence[float] = "auto",
     threads: int = 0,
     progress: bool | Progress | None = None,
 ) -> LabelSurfaces:
@@ -87,6 +89,9 @@ def extract_surfaces(
     closed : bool
         Close labels that touch the end of the array, half a voxel outside of the outermost voxel centers. False: surfaces are
         open there and end at these centers.
+    model_grid : "auto", "off", number or three numbers, mm
+        Take the coarser map of a network, from whose grid the labels were copied: "auto" if that is certain, numbers if it has this
+        spacing along x, y, z. The grid of the surfaces is then that of the network.
     threads, progress
         As `decimate` takes them.
 
@@ -95,7 +100,8 @@ def extract_surfaces(
     TypeError
         Labels that are no numbers, options of a wrong type.
     ValueError
-        Shapes, labels with a fraction, spacings that are not positive, axes in one plane, layers that do not ascend from 0.
+        Shapes, labels with a fraction, spacings that are not positive, axes in one plane, layers that do not ascend from 0; labels
+        that are no copy from a grid of the spacing of model_grid.
     Aborted
         The progress function returned False.
     """
@@ -103,7 +109,7 @@ def extract_surfaces(
         label_map = LabelMap(label_map, axes=axes, spacing=spacing, origin=origin, direction=direction, affine=affine, layers=layers)
     elif axes is not None or affine is not None or layers is not None or not is_default(spacing, origin, direction):
         raise ValueError("a LabelMap and an image have their own axes, spacing, origin, direction and layers")
-    label_map = label_map_from(label_map, None)
+    label_map = label_map_from(label_map, None).on_model_grid(model_grid)
     chosen, grid = chosen_labels(labels), label_map.grid
     with listener(progress) as heard:
         outcome = _core.extract_surfaces(
@@ -113,7 +119,7 @@ def extract_surfaces(
         raise Aborted("the extraction was stopped")
     if outcome["problem"]:
         raise ValueError(outcome["problem"])
-    return LabelSurfaces(outcome, grid)
+    return LabelSurfaces(outcome, grid, label_map.model_grid_found)
 
 
 def extract_label(

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -318,6 +318,7 @@ class BoneImageAccessor:
         labels: Iterable[int] | None = None,
         background: int = 0,
         closed: bool = True,
+        model_grid: str | float | Sequence[float] = "auto",
         threads: int = 0,
         progress_bar: bool | Progress = False,
     ) -> pv.PolyData:
@@ -331,12 +332,12 @@ class BoneImageAccessor:
         ----------
         scalars : str, optional
             Name of the point array of labels; by default the active scalars.
-        labels, background, closed, threads, progress_bar
+        labels, background, closed, model_grid, threads, progress_bar
             As `bonedecimate.extract_surfaces` takes them.
         """
         labels_of_voxels = label_map_of(self._image, scalars)
-        return _mesh_of(extract_surfaces(labels_of_voxels, labels=labels, background=background, closed=closed, threads=threads,
-                                         progress=progress_bar))
+        return _mesh_of(extract_surfaces(labels_of_voxels, labels=labels, background=background, closed=closed,
+                                         model_grid=model_grid, threads=threads, progress=progress_bar))
 
     @_has_keywords_of(change_pieces)
     def change_pieces(self, scalars: str | None = None, **keywords) -> tuple[pv.ImageData, dict[int, PieceChanges]]:

@@ -106,6 +106,7 @@ class LabelMap:
 
     labels: NDArray[np.integer]  #: (nz, ny, nx)
     grid: VoxelGrid
+    model_grid_found: str = ""  #: of `on_model_grid`: what was found, in one sentence
 
     def __init__(self, labels: ArrayLike, *, axes: Literal["zyx", "xyz"] | None = None, spacing: Sequence[float] = (1, 1, 1),
                  origin: Sequence[float] = (0, 0, 0), direction: ArrayLike = IDENTITY, affine: ArrayLike | None = None,
@@ -167,6 +168,29 @@ class LabelMap:
         labels, axes, where = scan_of(image)
         return cls(labels, axes=axes, **where)
 
+    def on_model_grid(self, model_grid: str | float | Sequence[float] = "auto") -> LabelMap:
+        """The coarser map of a network, from whose grid the labels were copied to these voxels; this one if there is none.
+
+        Parameters
+        ----------
+        model_grid : "auto", "off", number or three numbers, mm
+            "auto": if it is certain that the labels were copied. Numbers: the spacing of the network, along x, y, z.
+
+        Raises
+        ------
+        ValueError
+            Another text or number; the labels are no copy from a grid of this spacing.
+        """
+        choice = model_grid if isinstance(model_grid, str) else ",".join(map(str, np.ravel(model_grid).tolist()))
+        found = _core.model_map(self.labels, *self.grid.to_core(), choice)
+        if found is None:
+            return self
+        labels, dimensions, origin, spacing, sentence = found
+        made = LabelMap(np.frombuffer(labels, self.labels.dtype).reshape(dimensions[::-1]), spacing=spacing, origin=origin,
+                        direction=self.grid.direction, layers=self.grid.layers)
+        made.model_grid_found = sentence
+        return made
+
     @classmethod
     def on(cls, grid: VoxelGrid, labels: ArrayLike) -> LabelMap:
         """Labels with the indices z, y, x on a grid of the same dimensions."""
@@ -197,11 +221,13 @@ def has_grid(label_map: LabelMapLike) -> bool:
 
 
 def label_map_from(label_map: LabelMapLike, grid: VoxelGrid | None) -> LabelMap:
-    """Of a LabelMap, an image, or an array on the grid of the surface."""
-    if isinstance(label_map, LabelMap):
-        return label_map
+    """Of a LabelMap, an image, or an array on the grid of the surface; on that of a network if the surface is (`on_model_grid`)."""
     if has_grid(label_map):
-        return LabelMap.from_image(label_map)
+        labels = label_map if isinstance(label_map, LabelMap) else LabelMap.from_image(label_map)
+        if grid is None or labels.grid.is_same_as(grid):
+            return labels
+        model = labels.on_model_grid()
+        return model if model.grid.is_same_as(grid) else labels
     if grid is None:
         raise ValueError("label_map is bonedecimate.LabelMap(array, spacing=...) or an image; an array alone is enough "
                          "only with a surface of extract_surfaces, or a result that was made of one")

@@ -21,6 +21,7 @@ constexpr std::size_t MinChanges = 4;   // layers with changes along each axis
 constexpr double MinDensity = 0.5;      // ratio of these between the first and the last
 constexpr double MinOblique = 0.008;    // ratio of the points on boundaries, IsCurved()
 constexpr double MaxDifferent = 0.01;   // ratio of voxels to changes
+constexpr double FewChanges = 4.0;      // of a layer
 constexpr double NoisyLayer = 0.05;     // of the median of the changes of a layer
 /// Programs change the spacing so that samples fit between the outermost layers.
 constexpr std::array<double, 3> SpacingTolerances = { 0.001, 0.01, 0.05 };
@@ -59,21 +60,22 @@ public:
 
   ModelGrid Go()
   {
-    ModelGrid found = this->Try(0.0);
-    return found.IsFound ? found : this->Try(NoisyLayer);
+    ModelGrid found = this->Try(false);
+    return found.IsFound ? found : this->Try(true);
   }
 
 private:
-  /// @param noise Layers with fewer changes do not count, relative to the median.
-  ModelGrid Try(double noise) const
+  /// @param isNoisy Layers with few changes do not count.
+  ModelGrid Try(bool isNoisy) const
   {
     ModelGrid model;
     bool isDense = true;
     int coarserAxes = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
+      const PlaneCounts& counts = this->Counts[axis];
       const std::vector<Index> changes =
-        LayersAbove(this->Counts[axis], noise * MedianOf(this->Counts[axis]));
+        LayersAbove(counts, isNoisy ? std::max(FewChanges, NoisyLayer * MedianOf(counts)) : 0.0);
       AxisCells& cells = model.Axes[axis];
       cells = this->CellsAlong(axis, changes);
       model.Chance *= cells.Chance;
