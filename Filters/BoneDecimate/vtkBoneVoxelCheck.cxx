@@ -205,6 +205,22 @@ std::string vtkBoneVoxelCheck::FindIneffective(vtkTypeInt64 background) const
 }
 
 //------------------------------------------------------------------------------
+/// Gives the values of the labels to a source that has none. @returns One sentence if they are not
+/// known, or if a label has no effect.
+std::string vtkBoneVoxelCheck::ChooseLabel(
+  const std::vector<std::int64_t>& inImage, bonedecimate::LabelMapSource& source) const
+{
+  if (!source.OfTriangle.empty())
+  {
+    return this->FindIneffective(source.Values.back());
+  }
+  const bonedecimate::EnclosedLabel enclosed =
+    bonedecimate::FindEnclosedLabel(inImage, this->Label, this->BackgroundLabel);
+  source.Values = { enclosed.Label, this->BackgroundLabel };
+  return enclosed.Problem;
+}
+
+//------------------------------------------------------------------------------
 /// What is wrong with the inputs, in one sentence.
 std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image)
 {
@@ -234,47 +250,30 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
   {
     return bonedecimate::InputMessage(found);
   }
-  if (!map.Source.OfTriangle.empty())
-  {
-    const std::string ineffective = this->FindIneffective(map.Source.Values.back());
-    if (!ineffective.empty())
-    {
-      return ineffective;
-    }
-  }
   const std::vector<std::int64_t> inImage =
     bonedecimate::FindLabelValues(labels.Image, this->NumberOfThreads, {}).Values;
-  if (map.Source.OfTriangle.empty())
+  const std::string problem = this->ChooseLabel(inImage, map.Source);
+  if (!problem.empty())
   {
-    const bonedecimate::EnclosedLabel enclosed =
-      bonedecimate::FindEnclosedLabel(inImage, this->Label, this->BackgroundLabel);
-    if (!enclosed.Problem.empty())
-    {
-      return enclosed.Problem;
-    }
-    map.Source.Values = { enclosed.Label, this->BackgroundLabel };
+    return problem;
   }
   const std::vector<std::int64_t>& values = map.Source.Values;
   std::copy_if(inImage.begin(), inImage.end(), std::back_inserter(this->Internal->LeftOut),
     [&values](std::int64_t value)
     { return std::find(values.begin(), values.end(), value) == values.end(); });
   this->Internal->Values = values;
-  bonedecimate::VoxelCheckSettings settings;
-  settings.NumberOfLabels = static_cast<bonedecimate::Index>(map.Source.Values.size());
-  settings.Threads = this->NumberOfThreads;
   const auto compare = [&](const bonedecimate::LabelImage& reference)
   {
-    settings.Grid = reference.Grid;
-    return bonedecimate::CompareVoxels(reference, map.Source.Values,
+    const bonedecimate::VoxelCheckSettings settings = { reference.Grid,
+      static_cast<bonedecimate::Index>(values.size()), this->NumberOfThreads };
+    return bonedecimate::CompareVoxels(reference, values,
       { converted.Surface, map.Source.OfTriangle }, settings,
       [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
   };
   this->Internal->Changes = compare(labels.Image);
   this->Internal->ModelGridFound = model.Sentence;
-  if (!model.Sentence.empty())
-  {
-    this->Internal->ImageChanges = compare(ofImage.Image);
-  }
+  this->Internal->ImageChanges =
+    model.Sentence.empty() ? bonedecimate::VoxelChanges() : compare(ofImage.Image);
   return {};
 }
 

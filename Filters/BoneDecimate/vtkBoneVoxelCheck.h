@@ -29,8 +29,14 @@
 
 #include <memory> // for std::unique_ptr
 #include <string> // for GetRejectedValue
+#include <vector> // for the labels of the image
 
 class vtkImageData;
+
+namespace bonedecimate
+{
+struct LabelMapSource;
+}
 
 class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneVoxelCheck : public vtkPolyDataAlgorithm
 {
@@ -153,6 +159,8 @@ private:
   struct Internals;
 
   std::string FindIneffective(vtkTypeInt64 background) const;
+  std::string ChooseLabel(
+    const std::vector<std::int64_t>& inImage, bonedecimate::LabelMapSource& source) const;
   std::string Compare(vtkPolyData* surface, vtkImageData* image);
 
   vtkTypeInt64 Label = 0;

@@ -306,8 +306,8 @@ TEST(BoneSurfaces, PrintTheirProperties)
   filter->AddLabel(12);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* property : { "Labels: 12", "BackgroundLabel: 0", "Closed: on",
-         "ModelGrid: auto", "NumberOfThreads: 0", "OutputPointsPrecision: 2" })
+  for (const char* property : { "Labels: 12", "BackgroundLabel: 0", "Closed: on", "ModelGrid: auto",
+         "NumberOfThreads: 0", "OutputPointsPrecision: 2" })
   {
     EXPECT_NE(text.str().find(property), std::string::npos) << property;
   }

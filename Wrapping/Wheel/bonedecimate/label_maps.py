@@ -90,8 +90,7 @@ def extract_surfaces(
         Close labels that touch the end of the array, half a voxel outside of the outermost voxel centers. False: surfaces are
         open there and end at these centers.
     model_grid : "auto", "off", number or three numbers, mm
-        Take the coarser map of a network, from whose grid the labels were copied: "auto" if that is certain, numbers if it has this
-        spacing along x, y, z. The grid of the surfaces is then that of the network.
+        Take the coarser map of a network from which the labels were copied, and its grid: see `LabelMap.on_model_grid`.
     threads, progress
         As `decimate` takes them.
 
@@ -100,8 +99,7 @@ def extract_surfaces(
     TypeError
         Labels that are no numbers, options of a wrong type.
     ValueError
-        Shapes, labels with a fraction, spacings that are not positive, axes in one plane, layers that do not ascend from 0; labels
-        that are no copy from a grid of the spacing of model_grid.
+        Shapes, labels with a fraction, spacings that are not positive, axes in one plane, layers that do not ascend from 0.
     Aborted
         The progress function returned False.
     """

@@ -13,7 +13,7 @@ namespace
 {
 /// Rounding of the programs that copied the map, and of the search; layers.
 constexpr double Tolerance = 1e-6;
-/// Ways of rounding in the same direction for all even borders, and for all odd ones.
+/// Ways of rounding in the same direction for all even boundaries, and for all odd ones.
 constexpr double ConsistentTies = 4.0;
 constexpr std::size_t MaxRegions = 20000;
 constexpr std::size_t MaxConsidered = 64; // regions
@@ -21,11 +21,11 @@ constexpr double MuchLess = 0.1;          // ratio of chances
 
 struct Line
 {
-  double Border;
+  double Boundary;
   double Length;
 };
 
-/// Lines that explain the changes so far; the last of them by border Last.
+/// Lines that explain the changes so far; the last of them by boundary Last.
 struct Region
 {
   std::vector<Line> Corners;
@@ -50,40 +50,41 @@ std::vector<Line> Cut(const std::vector<Line>& corners, const Excess& excess)
     if ((atA < 0.0 && atB > 0.0) || (atA > 0.0 && atB < 0.0))
     {
       const double ratio = atA / (atA - atB);
-      kept.push_back(
-        { a.Border + ratio * (b.Border - a.Border), a.Length + ratio * (b.Length - a.Length) });
+      kept.push_back({ a.Boundary + ratio * (b.Boundary - a.Boundary),
+        a.Length + ratio * (b.Length - a.Length) });
     }
   }
   return kept;
 }
 
-/// Adds the parts of the region that explain a change, each by one border.
+/// Adds the parts of the region that explain a change, each by one boundary.
 void ExplainChange(const Region& region, double layer, double tolerance, std::vector<Region>& parts)
 {
   double first = MaxCoordinate;
   double last = region.Last;
   for (const Line& corner : region.Corners)
   {
-    first = std::min(first, (layer - 1.0 - tolerance - corner.Border) / corner.Length);
-    last = std::max(last, (layer + tolerance - corner.Border) / corner.Length);
+    first = std::min(first, (layer - 1.0 - tolerance - corner.Boundary) / corner.Length);
+    last = std::max(last, (layer + tolerance - corner.Boundary) / corner.Length);
   }
   first = std::max(region.Last + 1.0, std::ceil(first));
-  for (double border = first; border <= last && parts.size() < MaxRegions; border += 1.0)
+  for (double boundary = first; boundary <= last && parts.size() < MaxRegions; boundary += 1.0)
   {
-    const auto position = [border](const Line& line) { return line.Border + border * line.Length; };
+    const auto position = [boundary](const Line& line)
+    { return line.Boundary + boundary * line.Length; };
     std::vector<Line> corners =
       Cut(region.Corners, [&](const Line& line) { return position(line) - layer - tolerance; });
     corners =
       Cut(corners, [&](const Line& line) { return layer - 1.0 - tolerance - position(line); });
     if (!corners.empty())
     {
-      parts.push_back({ std::move(corners), border });
+      parts.push_back({ std::move(corners), boundary });
     }
   }
 }
 
 /// All regions that explain all changes; none if they become too many.
-/// @param tolerance Negative: without borders at centers of layers.
+/// @param tolerance Negative: without boundaries at centers of layers.
 std::vector<Region> ExplainChanges(
   const std::vector<Index>& changes, const CellLengths& lengths, double tolerance)
 {
@@ -105,7 +106,7 @@ std::vector<Region> ExplainChanges(
 }
 
 /**
- * In how many ways borders at centers of layers can be rounded that explain the changes; 0: the
+ * In how many ways boundaries at centers of layers can be rounded that explain the changes; 0: the
  * line does not. Programs round all in one direction, or to even samples; where their
  * quotients are not exact, each in its own.
  */
@@ -113,19 +114,19 @@ double RoundingsOf(const Line& line, const std::vector<Index>& changes)
 {
   double last = -MaxCoordinate;
   double roundings = 1.0;
-  std::array<int, 2> direction = { 0, 0 }; // of even and of odd borders
+  std::array<int, 2> direction = { 0, 0 }; // of even and of odd boundaries
   bool isConsistent = true;
   for (const Index layer : changes)
   {
-    const double border = std::floor((layer + Tolerance - line.Border) / line.Length);
-    const double position = line.Border + border * line.Length - layer; // -1 to 0
-    if (border <= last || position < -1.0 - Tolerance)
+    const double boundary = std::floor((layer + Tolerance - line.Boundary) / line.Length);
+    const double position = line.Boundary + boundary * line.Length - layer; // -1 to 0
+    if (boundary <= last || position < -1.0 - Tolerance)
     {
       return 0.0;
     }
-    last = border;
+    last = boundary;
     const int side = position <= -1.0 + Tolerance ? -1 : position >= -Tolerance ? 1 : 0;
-    int& usual = direction[static_cast<std::size_t>(border - 2.0 * std::floor(border / 2.0))];
+    int& usual = direction[static_cast<std::size_t>(boundary - 2.0 * std::floor(boundary / 2.0))];
     isConsistent = isConsistent && (side == 0 || usual == 0 || usual == side);
     usual = side == 0 ? usual : side;
     roundings *= side == 0 ? 1.0 : 2.0;
@@ -133,17 +134,17 @@ double RoundingsOf(const Line& line, const std::vector<Index>& changes)
   return isConsistent ? ConsistentTies : std::max(roundings, ConsistentTies);
 }
 
-/// Layers before which there is a border. A border at the center of a layer is before
+/// Layers before which there is a boundary. A boundary at the center of a layer is before
 /// or behind it, wherever labels change.
-std::vector<bool> BorderPlanes(const Line& line, const std::vector<Index>& changes, Index layers)
+std::vector<bool> BoundaryPlanes(const Line& line, const std::vector<Index>& changes, Index layers)
 {
-  std::vector<bool> isBorder(static_cast<std::size_t>(layers), false);
+  std::vector<bool> isBoundary(static_cast<std::size_t>(layers), false);
   const auto changesAt = [&](double layer)
   { return std::binary_search(changes.begin(), changes.end(), static_cast<Index>(layer)); };
-  double border = std::ceil(-line.Border / line.Length - 1.0);
-  for (;; border += 1.0)
+  double boundary = std::ceil(-line.Boundary / line.Length - 1.0);
+  for (;; boundary += 1.0)
   {
-    const double position = line.Border + border * line.Length;
+    const double position = line.Boundary + boundary * line.Length;
     const double nearest = std::floor(position + 0.5);
     const bool isCenter = std::abs(position - nearest) <= 2.0 * Tolerance;
     const double layer = !isCenter                      ? std::ceil(position)
@@ -151,30 +152,31 @@ std::vector<bool> BorderPlanes(const Line& line, const std::vector<Index>& chang
                                                         : nearest;
     if (layer >= layers)
     {
-      return isBorder;
+      return isBoundary;
     }
     if (layer >= 1.0)
     {
-      isBorder[static_cast<std::size_t>(layer)] = true;
+      isBoundary[static_cast<std::size_t>(layer)] = true;
     }
   }
 }
 
 /**
- * At most: the number of sets of borders, with the first and the last change at its ends, times the
- * probability that all other changes lie on borders of one of them (Documentation/model-grid.md).
+ * At most: the number of sets of boundaries, with the first and the last change at its ends, times
+ * the probability that all other changes lie on boundaries of one of them
+ * (Documentation/model-grid.md).
  */
 double ChanceOf(
-  const std::vector<Index>& changes, const std::vector<bool>& isBorder, double roundings)
+  const std::vector<Index>& changes, const std::vector<bool>& isBoundary, double roundings)
 {
   const double between = changes.back() - changes.front() - 1.0;
-  const double borders = static_cast<double>(
-    std::count(isBorder.begin() + changes.front() + 1, isBorder.begin() + changes.back(), true));
+  const double boundaries = static_cast<double>(std::count(
+    isBoundary.begin() + changes.front() + 1, isBoundary.begin() + changes.back(), true));
   double chance = roundings * (between + 1.0) * (between + 2.0) * (between + 3.0) / 6.0;
   for (std::size_t i = 0; i + 2 < changes.size(); ++i)
   {
     const auto placed = static_cast<double>(i);
-    chance *= (borders - placed) / (between - placed);
+    chance *= (boundaries - placed) / (between - placed);
   }
   return std::min(1.0, chance);
 }
@@ -194,36 +196,37 @@ public:
     const double roundings = RoundingsOf(line, this->Changes);
     if (roundings > 0.0)
     {
-      std::vector<bool> isBorder = BorderPlanes(line, this->Changes, this->Layers);
-      const double chance = ChanceOf(this->Changes, isBorder, roundings);
-      if (this->IsBorder.empty() || chance < MuchLess * this->Chance)
+      std::vector<bool> isBoundary = BoundaryPlanes(line, this->Changes, this->Layers);
+      const double chance = ChanceOf(this->Changes, isBoundary, roundings);
+      if (this->IsBoundary.empty() || chance < MuchLess * this->Chance)
       {
         this->Best = line;
         this->Chance = chance;
-        this->IsBorder = std::move(isBorder);
+        this->IsBoundary = std::move(isBoundary);
       }
     }
   }
 
   std::optional<AxisCells> Cells() const
   {
-    if (this->IsBorder.empty())
+    if (this->IsBoundary.empty())
     {
       return std::nullopt;
     }
     AxisCells cells;
     Index cell = 0;
-    for (const bool isNext : this->IsBorder)
+    for (const bool isNext : this->IsBoundary)
     {
       cell += isNext ? 1 : 0;
       cells.OfLayer.push_back(cell);
     }
-    // The border that explains the first change is that before its cell.
+    // The boundary that explains the first change is that before its cell.
     const Index first = this->Changes.front();
-    const double border = std::floor((first + Tolerance - this->Best.Border) / this->Best.Length);
+    const double boundary =
+      std::floor((first + Tolerance - this->Best.Boundary) / this->Best.Length);
     cells.Length = this->Best.Length;
-    cells.FirstSample = this->Best.Border +
-      (border + 0.5 - cells.OfLayer[static_cast<std::size_t>(first)]) * this->Best.Length;
+    cells.FirstSample = this->Best.Boundary +
+      (boundary + 0.5 - cells.OfLayer[static_cast<std::size_t>(first)]) * this->Best.Length;
     cells.Chance = this->Chance;
     return cells;
   }
@@ -233,7 +236,7 @@ private:
   Index Layers;
   Line Best = { 0.0, 1.0 };
   double Chance = 1.0;
-  std::vector<bool> IsBorder;
+  std::vector<bool> IsBoundary;
 };
 
 /**
@@ -271,7 +274,7 @@ Line MeanOf(const std::vector<Line>& corners)
   Line mean = { 0.0, 0.0 };
   for (const Line& corner : corners)
   {
-    mean.Border += corner.Border / static_cast<double>(corners.size());
+    mean.Boundary += corner.Boundary / static_cast<double>(corners.size());
     mean.Length += corner.Length / static_cast<double>(corners.size());
   }
   return mean;
@@ -311,8 +314,8 @@ std::optional<AxisCells> FindAxisCells(
   {
     return std::nullopt;
   }
-  // Neighboring changes have different borders, and cells that are no longer than this would leave
-  // no layer without a border.
+  // Neighboring changes have different boundaries, and cells that are hardly longer than a layer
+  // would have one before each layer.
   double longest = lengths.Largest > 0.0 ? lengths.Largest : layers;
   for (std::size_t i = 1; i < changes.size(); ++i)
   {

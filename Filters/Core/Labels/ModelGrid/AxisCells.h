@@ -4,21 +4,21 @@
  * @file AxisCells.h
  * @brief The coarsest uniform cells along an axis that explain between which layers labels change.
  *
- * Position x is in layers: layer i has its center at i. Borders of cells lie at
+ * Position x is in layers: layer i has its center at i. Boundaries of cells lie at
  *
- *     t(k) = Border + k Length        Length > 1
+ *     t(k) = Boundary + k Length        Length > 1
  *
- * A change between the layers i - 1 and i is explained by a border in [i - 1, i]. Both ends are
- * allowed, so that any rule of rounding is: a layer whose center lies on a border belongs to
- * the cell on either side. Each border explains one change.
+ * A change between the layers i - 1 and i is explained by a boundary in [i - 1, i]. Both ends are
+ * allowed, so that any rule of rounding is: a layer whose center lies on a boundary belongs to
+ * the cell on either side. Each boundary explains one change.
  *
- *     regions := all (Border, Length) that explain the first change
- *     for each further change: cut each region with the strip of each border that can explain it
+ *     regions := all (Boundary, Length) that explain the first change
+ *     for each further change: cut each region with the strip of each boundary that can explain it
  *     of the lines as programs make them and the middles of the coarsest regions, the one by which
  *     random changes would be explained with the least chance; that is one of the coarsest
  *
- * Regions are convex polygons. Two borders that explain the same change make two regions, of which
- * the next changes leave few.
+ * Regions are convex polygons. Two boundaries that explain the same change make two regions, of
+ * which the next changes leave few.
  */
 #ifndef BoneDecimate_Core_Labels_ModelGrid_AxisCells_h
 #define BoneDecimate_Core_Labels_ModelGrid_AxisCells_h
