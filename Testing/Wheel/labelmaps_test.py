@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 
 import bonedecimate
-from bonedecimate import extract_label, extract_surfaces
+from bonedecimate import LabelMap, extract_label, extract_surfaces
 
 SHAPE = (9, 11, 14)  # z, y, x
 SPACING, ORIGIN = (0.5, 0.75, 1.5), (-20.0, 3.0, 100.0)
@@ -30,6 +30,44 @@ def unmatched_edges(triangles):
     """Edges that are not there once in each direction."""
     edges = collections.Counter(map(tuple, np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)]).tolist()))
     return [edge for edge, count in edges.items() if count != 1 or edges[edge[::-1]] != 1]
+
+
+def of_network(samples=36):
+    """Two uneven bodies, 1 and 2, on the grid of a network."""
+    z, y, x = np.indices((samples,) * 3).astype(float)
+    waves = 2 * np.sin(x / 2) * np.cos(y / 2.5) * np.sin(z / 3)
+    first = np.sqrt((x - 12) ** 2 + (y - 13) ** 2 + (z - 16) ** 2) + waves < 10
+    second = np.sqrt((x - 25) ** 2 + (y - 22) ** 2 + (z - 19) ** 2) + waves < 10
+    return np.where(first, 1, np.where(second, 2, 0)).astype(np.uint8)
+
+
+class ModelGrid(unittest.TestCase):
+    def setUp(self):
+        self.network = of_network()
+        nearest = ((np.arange(36 * 9 // 4) + 0.5) / 2.25).astype(int)  # centers aligned
+        self.file = LabelMap(self.network[np.ix_(nearest, nearest, nearest)], spacing=(0.8, 0.8, 0.8), origin=ORIGIN)
+
+    def test_is_that_of_the_network(self):
+        found = extract_surfaces(self.file)
+        expected = extract_surfaces(self.network, spacing=(1.8, 1.8, 1.8), origin=np.add(ORIGIN, 0.8 * 1.25 / 2), model_grid="off")
+        np.testing.assert_allclose(found.points, expected.points, atol=1e-9)
+        np.testing.assert_array_equal(found.triangles, expected.triangles)
+        self.assertIn("1.8 x 1.8 x 1.8 mm", found.model_grid_found)
+        self.assertEqual(found.grid.dimensions, (36, 36, 36))
+        fine = extract_surfaces(self.file, model_grid="off")
+        self.assertEqual((fine.grid.dimensions, fine.model_grid_found), (self.file.grid.dimensions, ""))
+
+    def test_is_what_is_kept_and_compared(self):
+        result = bonedecimate.decimate(extract_surfaces(self.file), max_error=0.9, keep_voxels="On", label_map=self.file)
+        self.assertEqual(bonedecimate.check_voxels(result, self.file).changed, 0)
+        self.assertLess(bonedecimate.check_voxels(result, self.file).compared, self.file.labels.size / 5)
+
+    def test_may_be_requested(self):
+        for spacing in (1.8, (1.8, 1.8, 1.8), "1.8"):
+            np.testing.assert_array_equal(self.file.on_model_grid(spacing).labels, self.network)
+        for wrong in (2.6, "coarse", -1, (1, 2)):
+            with self.assertRaises(ValueError):
+                extract_surfaces(self.file, model_grid=wrong)
 
 
 class Surfaces(unittest.TestCase):
