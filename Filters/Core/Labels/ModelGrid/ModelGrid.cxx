@@ -6,6 +6,7 @@
 #include "ChangePlanes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <type_traits>
 
@@ -13,16 +14,17 @@ namespace bonedecimate
 {
 namespace
 {
-/// The steps of an oblique plane are regular along one axis.
-constexpr double MaxChanceOfOneAxis = 1e-12;
 constexpr double MaxChance = 1e-6;      // of all axes together
 constexpr double MaxChanceOfAxis = 0.1; // of each that counts
 constexpr std::size_t MinChanges = 4;   // layers with changes along each axis
 constexpr double MinDensity = 0.5;      // ratio of these between the first and the last
-constexpr double MinOblique = 0.008;    // ratio of the points on boundaries, IsCurved()
-constexpr double MaxDifferent = 0.01;   // ratio of voxels to changes
-constexpr double FewChanges = 4.0;      // of a layer
-constexpr double NoisyLayer = 0.05;     // of the median of the changes of a layer
+constexpr double MinOblique = 0.004;    // ratio of the points on boundaries, IsCurved()
+/// Ratio of the square root of these. The steps of an oblique plane are regular along one axis.
+constexpr double MinObliqueOfRoot = 0.5;
+constexpr double MinObliqueOfOneAxis = 1.0;
+constexpr double MaxDifferent = 0.01; // ratio of voxels to changes
+constexpr double FewChanges = 4.0;    // of a layer
+constexpr double NoisyLayer = 0.05;   // of the median of the changes of a layer
 /// Programs change the spacing so that samples fit between the outermost layers.
 constexpr std::array<double, 3> SpacingTolerances = { 0.001, 0.01, 0.05 };
 constexpr double UsualSpacing = 0.05; // mm; spacings of models are whole multiples
@@ -86,11 +88,11 @@ private:
             MinDensity * (changes.back() - changes.front() + 1.0));
     }
     const bool isRequested = this->Request.Spacing.has_value();
-    const double most = coarserAxes == 1 ? MaxChanceOfOneAxis : MaxChance;
-    if (coarserAxes > 0 && (isRequested || (isDense && model.Chance < most)))
+    if (coarserAxes > 0 && (isRequested || (isDense && model.Chance < MaxChance)))
     {
       this->ReadMap(model);
-      model.IsFound = this->IsAlike(model) && (isRequested || IsCurved(model));
+      model.IsFound = this->IsAlike(model) &&
+        (isRequested || IsCurved(model, coarserAxes == 1 ? MinObliqueOfOneAxis : MinObliqueOfRoot));
     }
     return model;
   }
@@ -237,7 +239,7 @@ private:
   /// Whether the surface has the steps of a curved one, which blocks and extruded shapes do not
   /// have: points about which a cell and its three neighbors are on one side, and the four others
   /// on the other side.
-  static bool IsCurved(const ModelGrid& model)
+  static bool IsCurved(const ModelGrid& model, double minOfRoot)
   {
     return WithLabelsOf(model.Map(),
       [&](const auto* map)
@@ -261,7 +263,9 @@ private:
           boundary += isBoundary ? 1 : 0;
           oblique += isBoundary && IsOblique(cells) ? 1 : 0;
         }
-        return static_cast<double>(oblique) >= MinOblique * static_cast<double>(boundary);
+        const auto points = static_cast<double>(boundary);
+        return static_cast<double>(oblique) >=
+          std::max(MinOblique * points, minOfRoot * std::sqrt(points));
       });
   }
 
