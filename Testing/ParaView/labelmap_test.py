@@ -49,6 +49,12 @@ class LabelMap(unittest.TestCase):
         extracted.BackgroundLabel = 4
         self.assertEqual(walls(surfaces.output(extracted)), {(0, 4), (9, 4), (0, 9)})
 
+    def test_the_grid_of_a_network_can_be_requested(self):
+        extracted = simple.BoneSurfaces(Input=self.image, LabelArray=["POINTS", "Segments"], ModelGrid="off")
+        self.assertEqual(surfaces.output(extracted).GetFieldData().GetArray("VoxelGridSpacing").GetTuple(0), (1.0, 1.0, 1.0))
+        extracted.ModelGrid = "1,1.5,1.5"
+        self.assertNotEqual(surfaces.output(extracted).GetFieldData().GetArray("VoxelGridSpacing").GetTuple(0)[1], 1.0)
+
     def test_surfaces_can_be_open(self):
         extracted = simple.BoneSurfaces(Input=self.image, LabelArray=["POINTS", "Segments"])
         closed = surfaces.output(extracted).GetNumberOfCells()

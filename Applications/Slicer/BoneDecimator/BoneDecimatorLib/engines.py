@@ -107,11 +107,12 @@ class WheelEngine:
             self._kept = dict(options), decimate
         return decimate
 
-    def decimate_segments(self, label_map, options, tolerances=None, progress=None):
+    def decimate_segments(self, label_map, options, tolerances=None, progress=None, model_grid="auto"):
         """SharedSurfaces of a LabelMap.
 
         @param options, progress As of decimate().
         @param tolerances Function from points (n, 3), mm, to mm at each of them.
+        @param model_grid As of a Request.
         """
         import bonedecimate
         keywords = {flag.replace("-", "_"): value for flag, value in options.items()}
@@ -121,7 +122,7 @@ class WheelEngine:
                 warnings.simplefilter("always")
                 found = bonedecimate.extract_surfaces(
                     label_map.voxels, spacing=label_map.spacing, origin=label_map.origin, direction=label_map.direction,
-                    progress=goes_on)
+                    model_grid=model_grid, progress=goes_on)
                 limits = None if tolerances is None else tolerances(found.points)
                 small = bonedecimate.decimate(found, tolerances=limits, progress=goes_on, **keywords)
         except bonedecimate.Aborted as problem:
@@ -131,7 +132,8 @@ class WheelEngine:
         if goes_on.was_stopped:
             raise Canceled("Canceled.")
         return SharedSurfaces(small.points, small.triangles, small.boundary_labels, small.distance,
-                              json.loads(small.report_as_json), [str(each.message) for each in caught])
+                              json.loads(small.report_as_json),
+                              [found.model_grid_found] * bool(found.model_grid_found) + [str(each.message) for each in caught])
 
     def decimate(self, surface, options, tolerances=None, progress=None, keep=True):
         """@param options Those of a Request: checked flags and values.

@@ -174,7 +174,8 @@ class BoneDecimatorLogic:
         found = segmentation.label_maps_of(source, segments)
         surfaces, lines = [], list(found.notes)
         for label_map in found.maps:
-            run = self.engine.decimate_segments(label_map, options, self._tolerances_at(request, source), progress)
+            run = self.engine.decimate_segments(
+                label_map, options, self._tolerances_at(request, source), progress, request.model_grid)
             names = [segment.name for segment in label_map.segments]
             if len(found.maps) > 1:
                 lines.append(", ".join(names) + ":")
@@ -204,7 +205,8 @@ class BoneDecimatorLogic:
             found = segmentation.label_maps_of(source, segments)
             part, ratio = preview.part_of_label_map(found.maps[0], center=center)  # of those that overlap, the first
             options = _preview_options(request, ratio, self.engine.table)
-            run = self.engine.decimate_segments(part, options, self._tolerances_at(request, source), progress)
+            run = self.engine.decimate_segments(
+                part, options, self._tolerances_at(request, source), progress, request.model_grid)
             result = polydata_of(run.points, run.triangles)
             set_colors(result, np.array([segment.color for segment in part.segments])[run.sides[:, 0] - 1])
             lines = found.notes + run.warnings + statistics(run.report, [segment.name for segment in part.segments])

@@ -21,6 +21,7 @@ class Request:
     smoothing: object = 0.0  # the largest displacement of a point before the first edit; "automatic": by voxels and tolerance
     feature_angle: object = None  # degrees: smoothing keeps edges sharper than this; None: the default, which keeps none
     keep_voxels: object = None  # whether edits may change which segment a voxel belongs to, a choice of the table; None: the default
+    model_grid: object = "auto"  # of segments: whether those of a network's coarser grid are taken: "off", or its spacing
     mode: object = None  # None: the default
     brush: object = None  # a markups node of points, a ROI node, or the name of a painted point array; None: everywhere
     keeps_brush: bool = False  # the brush says what stays, not what is simplified
