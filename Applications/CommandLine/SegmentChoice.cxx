@@ -202,7 +202,9 @@ std::vector<NamedLabel> ChooseSegments(const FoundSegments& segments,
   {
     bool isThere = false;
     const bool meansPreset = MeansPreset(Trimmed(text), all);
-    for (std::size_t i = 0; i < all.size(); ++i)
+    // A table of what maps may have has all bones.
+    const bool isOfPresent = meansPreset && !segments.AreDescribed;
+    for (std::size_t i = 0; i < (isOfPresent ? segments.Present : all).size(); ++i)
     {
       const bool isMeant = IsChosenBy(all[i], Trimmed(text), meansPreset, segments.Regions);
       isChosen[i] = isChosen[i] || isMeant;

@@ -202,7 +202,7 @@ class Segments(ApplicationTest):
         self.succeed("total.mha", "all", "--segments", "all", "--format", "STL", *words)
         self.assertEqual(sorted(p.name for p in self.path("all").iterdir()), ["index.html", "label_5.stl", "picture.png", "report.json", "rib_left_1.stl", "sacrum.stl"])
         self.fail_with(REJECTED, "total.mha", "no", "--segments", "bones", says="the name of none of its segments is one that 'bones' means; its segments are 5, 25, 92")
-        self.fail_with(REJECTED, "plain.mha", "no", "--segments", "bones", *words, says="none of its labels is that of a bone")
+        self.fail_with(REJECTED, "plain.mha", "no", "--segments", "bones", *words, says="the name of none of its segments is one that 'bones' means")
 
     def changed_before(self, kind):
         """By label: count and voxels."""

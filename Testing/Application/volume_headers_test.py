@@ -156,16 +156,16 @@ class Headers(ApplicationTest):
         text = self.succeed("hidden.seg.nrrd", "two", "--segments", "bone,void", *SEGMENTS[2:]).stdout
         self.assertIn("warning: no surface of 3 (void)", text)
         self.fail_with(REJECTED, "hidden.seg.nrrd", "none", "--segments", "void", *SEGMENTS[2:], says="no voxel belongs to what --segments chooses, 3 (void)")
-        self.fail_with(REJECTED, "hidden.seg.nrrd", "none", "--segments", "skull", *SEGMENTS[2:],
-                       says="no segment 'skull'; its segments are")
+        self.fail_with(REJECTED, "hidden.seg.nrrd", "none", "--segments", "tibia", *SEGMENTS[2:],
+                       says="no segment 'tibia'; its segments are")
 
-    def test_empty_masks_of_a_folder_are_skipped(self):
+    def test_empty_masks_of_a_folder_are_named(self):
         self.path("masks").mkdir()
         for name, label in (("femur", 1), ("tibia", 2), ("patella", 3)):
             self.write(f"masks/{name}.nii", nifti(balls() == label))
         text = self.succeed("masks", "out/", *SEGMENTS).stdout
-        self.assertRegex(text, r"patella +skipped .*none of its voxels has a label")
-        self.assertIn("3 files: 2 done, 1 skipped", text)
+        self.assertIn("no surface of 2 (patella): no voxel has this label", text)
+        self.assertEqual([file.name for file in sorted(self.path("out").glob("*.vtp"))], ["femur.vtp", "tibia.vtp"])
 
 
 def element(group, number, kind, value):
