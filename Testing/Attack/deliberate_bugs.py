@@ -90,7 +90,7 @@ MUTANTS = (
              "return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&",
              "return (this->Batch > 0 || std::all_of(this->Changed.begin(), this->Changed.end(), isApart)) &&",
              BATCH_TESTS),
-    of_draft("edits of a batch are applied within the reach of others", BATCH, "> candidate.Space.Change.Reach", "> 0.0",
+    of_draft("edits of a batch are applied within the reach of others", BATCH, "reach = candidate.Space.Change.Reach;", "reach = 0.0;",
              BATCH_TESTS),
     of_draft("filters do not check an edit of a batch again when it is applied", BATCH, " &&\n    this->MeshEditor.StillAccepts(candidate.Space);",
              ";", BATCH_TESTS),

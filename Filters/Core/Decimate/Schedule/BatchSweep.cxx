@@ -170,10 +170,10 @@ void BatchSweep::FindBox(Candidate& candidate) const
 bool BatchSweep::IsUpToDate(Candidate& candidate) const
 {
   const Box& own = candidate.Changes;
-  const auto isApart = [&](const Box& other)
+  const double reach = candidate.Space.Change.Reach;
+  const auto isApart = [&own, reach](const Box& other)
   {
-    return (other.Low - own.High).maxCoeff() > candidate.Space.Change.Reach ||
-      (own.Low - other.High).maxCoeff() > candidate.Space.Change.Reach;
+    return (other.Low - own.High).maxCoeff() > reach || (own.Low - other.High).maxCoeff() > reach;
   };
   return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&
     this->MeshEditor.StillAccepts(candidate.Space);
