@@ -171,8 +171,7 @@ bool BatchSweep::IsUpToDate(Candidate& candidate) const
 {
   const Box& own = candidate.Changes;
   const double reach = candidate.Space.Change.Reach;
-  const auto isApart = [&own, reach](const Box& other)
-  {
+  const auto isApart = [&own, reach](const Box& other) {
     return (other.Low - own.High).maxCoeff() > reach || (own.Low - other.High).maxCoeff() > reach;
   };
   return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&
