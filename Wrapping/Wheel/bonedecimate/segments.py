@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import pathlib
 import warnings
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 import numpy as np
@@ -81,7 +81,8 @@ class Segments(Mapping[str, Segment]):
 
 
 def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[int, str] | None = None,
-             choose: Iterable[int | str] | None = None, progress: Any = None, **options: Any) -> Segments:
+             choose: Iterable[int | str] | None = None, model_grid: str | float | Sequence[float] = "auto", progress: Any = None,
+             **options: Any) -> Segments:
     """The simplified surfaces of the structures of a segmentation, by name, with walls between neighbors in common.
 
     Parameters
@@ -94,6 +95,8 @@ def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[in
         Default: the names of masks, otherwise "label_3".
     choose : labels and names, optional
         All others count as background. Default: all.
+    model_grid
+        Take the coarser map of a network from which the labels were copied, and its voxels: see `LabelMap.on_model_grid`.
     progress, options
         As `decimate` takes them. Default: half a voxel as the largest error, with smoothing within it.
 
@@ -105,10 +108,11 @@ def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[in
         The package that reads the file is missing.
     """
     label_map, found = _read(source)
+    label_map = label_map.on_model_grid(model_grid)
     names = {**found, **(names or {})}
     present = [int(label) for label in np.unique(label_map.labels) if label != 0]
     chosen = present if choose is None else _chosen(choose, names, present)
-    surfaces = extract_surfaces(label_map, labels=chosen)
+    surfaces = extract_surfaces(label_map, labels=chosen, model_grid="off")
     result = decimate(surfaces, label_map=label_map if chosen == present else None, progress=progress, **(options or HALF_A_VOXEL))
     return Segments(result, names, chosen if choose is not None else sorted({*present, *names}))
 
