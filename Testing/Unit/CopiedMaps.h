@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -25,11 +26,19 @@ using Field = std::function<Index(const Vector3&)>;
 using Voxel = std::array<Index, 3>;
 using LayersOfAxis = std::vector<Index>;
 
-/// Number of maps of each kind, of the environment variable BONEDECIMATE_MODEL_GRID_CASES.
-inline std::uint64_t NumberOfCases()
+inline std::uint64_t NumberFromEnvironment(const char* name, std::uint64_t otherwise)
 {
-  const char* const text = std::getenv("BONEDECIMATE_MODEL_GRID_CASES");
-  return text != nullptr ? std::strtoull(text, nullptr, 10) : 6;
+  const char* const text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+/// Seeds of the maps of each kind: BONEDECIMATE_MODEL_GRID_CASES of them, from
+/// BONEDECIMATE_MODEL_GRID_FIRST on.
+inline std::vector<std::uint64_t> SeedsOfMaps()
+{
+  std::vector<std::uint64_t> seeds(NumberFromEnvironment("BONEDECIMATE_MODEL_GRID_CASES", 6));
+  std::iota(seeds.begin(), seeds.end(), NumberFromEnvironment("BONEDECIMATE_MODEL_GRID_FIRST", 0));
+  return seeds;
 }
 
 inline LabelMap Sampled(const std::array<Index, 3>& size, const Field& labelAt)
@@ -164,12 +173,14 @@ inline Copied MakeCopied(std::uint64_t seed, int convention)
   Copied copied;
   std::array<Index, 3> samples;
   std::array<double, 3> lengths;
-  const double length = random.Between(1.3, 4.0); // layers per sample
+  const bool isCropped = seed % 3 == 0;
+  const double least = isCropped ? 1.3 : 1.2; // layers per sample
+  const double length = random.Between(least, 4.0);
   const bool isIsotropic = random.Uniform() < 0.5;
   for (std::size_t k = 0; k < 3; ++k)
   {
     samples[k] = 30 + random.Below(40);
-    lengths[k] = isIsotropic ? length : random.Between(1.3, 4.0);
+    lengths[k] = isIsotropic ? length : random.Between(least, 4.0);
   }
   copied.Labels = 1 + random.Below(random.Uniform() < 0.5 ? 5 : 120);
   copied.Model = Sampled(samples,
@@ -177,7 +188,7 @@ inline Copied MakeCopied(std::uint64_t seed, int convention)
   for (std::size_t k = 0; k < 3; ++k)
   {
     copied.Axes[k] = CopyAxis(random, convention, samples[k], lengths[k]);
-    if (seed % 3 == 0)
+    if (isCropped)
     {
       Crop(random, copied.Axes[k]);
     }

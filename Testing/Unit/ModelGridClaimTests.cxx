@@ -184,7 +184,7 @@ class OtherMaps : public testing::TestWithParam<Kind>
 
 TEST_P(OtherMaps, HaveNoGridOfANetwork)
 {
-  for (std::uint64_t seed = 0; seed < NumberOfCases(); ++seed)
+  for (const std::uint64_t seed : SeedsOfMaps())
   {
     Scene scene(seed);
     const Field field = this->GetParam().FieldOf(scene);

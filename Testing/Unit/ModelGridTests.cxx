@@ -18,7 +18,7 @@ class CopiedMaps : public testing::TestWithParam<int>
 //------------------------------------------------------------------------------
 TEST_P(CopiedMaps, AreExplainedByTheirGrid)
 {
-  for (std::uint64_t seed = 0; seed < NumberOfCases(); ++seed)
+  for (const std::uint64_t seed : SeedsOfMaps())
   {
     const Copied copied = MakeCopied(seed, this->GetParam());
     const ModelGrid found = FindIn(copied.File);
