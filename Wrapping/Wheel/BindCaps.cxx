@@ -12,7 +12,7 @@ namespace bonedecimate
 namespace
 {
 /// @param triangulate Function of points, starts and normal to rows of three ids.
-std::vector<Triangle> Triangulate(const nb::callable& triangulate, const Contours& contours)
+std::vector<Triangle> CallTriangulate(const nb::callable& triangulate, const Contours& contours)
 {
   std::vector<Vector3> points = contours.Points;
   std::vector<Index> starts = contours.Starts;
@@ -33,7 +33,7 @@ nb::dict Close(const PointsIn& points, const TrianglesIn& triangles, bool closes
   double planeTolerance, const nb::callable& triangulate)
 {
   CapsOfSurface caps = CloseBoundaries(ToSurface(points, triangles), { closesAll, planeTolerance },
-    [&](const Contours& contours) { return Triangulate(triangulate, contours); });
+    [&](const Contours& contours) { return CallTriangulate(triangulate, contours); });
   nb::dict fields;
   fields["caps"] = caps.NumberOfCaps;
   fields["area"] = caps.Area;

@@ -34,7 +34,7 @@ nb::dict ToDict(Certificate&& certificate, const std::vector<LeftOut>& leftOut)
   return fields;
 }
 
-nb::dict Run(const PointsIn& referencePoints, const TrianglesIn& referenceTriangles,
+nb::dict RunCertificate(const PointsIn& referencePoints, const TrianglesIn& referenceTriangles,
   const PointsIn& points, const TrianglesIn& triangles, const CertificateOptions& options,
   nb::object progress, const LeftOutIn& leftOutOfReference, const LeftOutIn& leftOutOfResult)
 {
@@ -75,9 +75,9 @@ void BindCertify(nb::module_& module)
     .def_rw("mean_precision", &CertificateOptions::MeanPrecision)
     .def_rw("with_point_distances", &CertificateOptions::WithPointDistances)
     .def_rw("threads", &CertificateOptions::NumberOfThreads);
-  module.def("certify", &Run, nb::arg("reference_points"), nb::arg("reference_triangles"),
-    nb::arg("points"), nb::arg("triangles"), nb::arg("options"), nb::arg("progress").none(),
-    nb::arg("left_out_of_reference") = LeftOutIn(), nb::arg("left_out_of_result") = LeftOutIn(),
-    "Proved bounds of the distance of two surfaces.");
+  module.def("certify", &RunCertificate, nb::arg("reference_points"),
+    nb::arg("reference_triangles"), nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
+    nb::arg("progress").none(), nb::arg("left_out_of_reference") = LeftOutIn(),
+    nb::arg("left_out_of_result") = LeftOutIn(), "Proved bounds of the distance of two surfaces.");
 }
 }

@@ -55,7 +55,7 @@ void AddReport(const Report& report, nb::dict& fields)
   fields["rejected_edits"] = RejectedEdits(report);
 }
 
-nb::dict Run(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
+nb::dict RunDecimation(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
   bool single, bool origins, const std::optional<NumbersIn>& tolerances,
   const std::optional<CellsIn>& cells,
   const std::optional<std::pair<PointsIn, TrianglesIn>>& reference, nb::object progress,
@@ -129,11 +129,12 @@ void BindDecimate(nb::module_& module)
     { return TriangleChecksumText(TriangleChecksum(ToSurface(points, triangles))); },
     nb::arg("points"), nb::arg("triangles"),
     "As output.checksum of a report: of the triangles in any order, to the bit.");
-  module.def("decimate", &Run, nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
-    nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(), nb::arg("cells").none(),
-    nb::arg("reference").none(), nb::arg("progress").none(), nb::arg("labels").none() = nb::none(),
-    nb::arg("label_map").none() = nb::none(), nb::arg("prepared").none() = nb::none(),
-    nb::arg("edge_lengths").none() = nb::none(), nb::arg("left_out") = LeftOutIn(),
+  module.def("decimate", &RunDecimation, nb::arg("points"), nb::arg("triangles"),
+    nb::arg("options"), nb::arg("single"), nb::arg("origins"), nb::arg("tolerances").none(),
+    nb::arg("cells").none(), nb::arg("reference").none(), nb::arg("progress").none(),
+    nb::arg("labels").none() = nb::none(), nb::arg("label_map").none() = nb::none(),
+    nb::arg("prepared").none() = nb::none(), nb::arg("edge_lengths").none() = nb::none(),
+    nb::arg("left_out") = LeftOutIn(),
     "One run; the keys of what it returns are those of Decimate.h.");
 }
 }
