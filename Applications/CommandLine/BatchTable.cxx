@@ -170,7 +170,7 @@ std::string ComposeSegmentsCsv(const std::vector<BatchRow>& rows)
       {
         text += "," + FieldOf(ValueAt(segment, (std::string("/") + column).c_str()));
       }
-      text += "\n";
+      text += '\n';
     }
   }
   std::string heading = "name";

@@ -67,8 +67,9 @@ std::vector<std::int64_t*> CountsOf(EditFigures& edits)
 
 std::vector<double> ToNumbers(Report part)
 {
-  std::vector<double> numbers = { static_cast<double>(part.OutputChecksum / HalfWord),
-    static_cast<double>(part.OutputChecksum % HalfWord) };
+  const std::uint64_t high = part.OutputChecksum / HalfWord;
+  const std::uint64_t low = part.OutputChecksum % HalfWord;
+  std::vector<double> numbers = { static_cast<double>(high), static_cast<double>(low) };
   for (const std::int64_t* count : CountsOf(part.Edits))
   {
     numbers.push_back(static_cast<double>(*count));

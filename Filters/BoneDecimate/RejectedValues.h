@@ -43,8 +43,8 @@ public:
   /// Gives a member its value, if that is valid.
   /// @returns Whether the member changed.
   template <typename Type>
-  bool Set(
-    vtkObject* filter, const char* property, const std::string& problem, Type value, Type& member)
+  bool Set(vtkObject* filter, const char* property, const std::string& problem, const Type& value,
+    Type& member)
   {
     const bool changes = this->Check(filter, property, problem) && member != value;
     if (changes)

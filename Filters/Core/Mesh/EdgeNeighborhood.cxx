@@ -90,11 +90,8 @@ bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex)
 //------------------------------------------------------------------------------
 std::vector<Index> EdgeNeighborhood::Faces() const
 {
-  std::vector<Index> faces;
-  for (const HalfEdgeId h : this->Corners)
-  {
-    faces.push_back(HalfEdgeMesh::Face(h));
-  }
+  std::vector<Index> faces(this->Corners.size());
+  std::transform(this->Corners.begin(), this->Corners.end(), faces.begin(), HalfEdgeMesh::Face);
   faces.insert(
     faces.end(), this->GoneFaces.begin(), this->GoneFaces.begin() + this->NumberOfGoneFaces);
   return faces;

@@ -4,6 +4,8 @@
 
 #include "Base/Text.h"
 
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate
@@ -13,7 +15,7 @@ namespace
 /// At most three decimals, without zeros at the end.
 std::string LengthText(double length)
 {
-  const auto thousandths = static_cast<std::int64_t>(length * 1000.0 + 0.5);
+  const std::int64_t thousandths = std::llround(length * 1000.0);
   std::string text = std::to_string(thousandths % 1000 + 1000).replace(0, 1, ".");
   text.erase(text.find_last_not_of('0') + 1);
   return std::to_string(thousandths / 1000) + (text == "." ? "" : text);
