@@ -159,13 +159,13 @@ private:
     {
       this->End(index, "skipped", bone.CodeIfNot, bone.WhyNot);
     }
-    else if (!this->Requested.Shard.Has(index))
-    {
-      this->End(index, "skipped", ExitCode::Done, "of another shard");
-    }
     else if (this->IsFinished(bone))
     {
       this->EndFinished(index);
+    }
+    else if (!this->Requested.Shard.Has(index))
+    {
+      this->End(index, "skipped", ExitCode::Done, "of another shard");
     }
     else if (const auto failure = this->Shared->FailureOf(bone.Name))
     {
@@ -191,7 +191,7 @@ private:
   {
     const bool isNew = this->Shared->IsNew(this->Bones[index].Report);
     this->End(index, isNew ? "done" : "skipped", ExitCode::Done,
-      isNew ? "" : "finished by an earlier run; --force does it again");
+      isNew ? "" : "finished by an earlier run; --force does it again", true);
   }
 
   bool IsFinished(const BatchBone& bone) const
@@ -295,17 +295,19 @@ private:
       this->Shared->NoteFailure(this->Bones[bone].Name, { code, message });
     }
     this->Shared->Release(this->Bones[bone].Name);
-    this->End(bone, status, code, message);
+    this->End(bone, status, code, message, status == "done");
   }
 
   /// What became of a bone, in its row and in a line.
-  void End(std::size_t bone, const std::string& status, ExitCode code, const std::string& message)
+  /// @param hasReport Whether the report in the output folder is that of this input.
+  void End(std::size_t bone, const std::string& status, ExitCode code, const std::string& message,
+    bool hasReport = false)
   {
     BatchRow& row = this->Rows[bone];
     row.Status = status;
     row.Code = code;
     row.Message = message;
-    if (this->Bones[bone].IsBone() && code == ExitCode::Done)
+    if (hasReport)
     {
       TakeReport(row, this->Bones[bone].Report);
     }

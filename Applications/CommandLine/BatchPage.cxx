@@ -58,7 +58,8 @@ std::string LinksOf(const BatchRow& row, const fs::path& folder)
   }
   const fs::path report = FilePath(row.Report);
   const fs::path beside = report.parent_path();
-  return LinkTo(beside / "index.html", folder, "page") +
+  const bool isOfFolder = report.filename() == "report.json"; // which has a page, too
+  return (isOfFolder ? LinkTo(beside / "index.html", folder, "page") : "") +
     (row.Output.empty() ? "" : LinkTo(beside / FilePath(row.Output), folder, "surface")) +
     LinkTo(report, folder, "report");
 }

@@ -20,17 +20,6 @@ namespace
 constexpr std::chrono::seconds RenewedEvery(10);
 constexpr std::chrono::seconds AliveFor(60);
 
-/// A name that may have folders as that of a file in one folder.
-std::string FlatName(const std::string& name)
-{
-  std::string flat;
-  for (const char c : name)
-  {
-    flat += c == '%' ? "%25" : c == '/' ? "%2F" : c == '\\' ? "%5C" : std::string(1, c);
-  }
-  return flat;
-}
-
 /// A change of what is in a folder gives it the time of its file system.
 void Touch(const fs::path& folder)
 {
@@ -81,8 +70,9 @@ SharedFolder::~SharedFolder()
 //------------------------------------------------------------------------------
 bool SharedFolder::Claim(const std::string& name)
 {
-  const Path claim = this->ClaimOf(name);
+  const Path claim = this->PathOf(name, ".claim");
   std::error_code error;
+  fs::create_directories(claim.parent_path(), error);
   const bool isOwn = fs::create_directory(claim, error) ||
     (this->RemoveDead(claim) && fs::create_directory(claim, error));
   if (error)
@@ -93,7 +83,7 @@ bool SharedFolder::Claim(const std::string& name)
   if (isOwn)
   {
     this->Claims.insert(claim);
-    fs::remove(this->Hidden / (FlatName(name) + ".failed"), error);
+    fs::remove(this->PathOf(name, ".failed"), error);
   }
   return isOwn;
 }
@@ -101,7 +91,7 @@ bool SharedFolder::Claim(const std::string& name)
 //------------------------------------------------------------------------------
 void SharedFolder::Release(const std::string& name)
 {
-  const Path claim = this->ClaimOf(name);
+  const Path claim = this->PathOf(name, ".claim");
   std::error_code ignored;
   fs::remove_all(claim, ignored);
   this->Claims.erase(claim);
@@ -125,14 +115,14 @@ void SharedFolder::Renew()
 //------------------------------------------------------------------------------
 void SharedFolder::NoteFailure(const std::string& name, const InputFailure& failure) const
 {
-  std::ofstream file(this->Hidden / (FlatName(name) + ".failed"), std::ios::binary);
+  std::ofstream file(this->PathOf(name, ".failed"), std::ios::binary);
   file << static_cast<int>(failure.Code) << " " << failure.Message;
 }
 
 //------------------------------------------------------------------------------
 std::optional<SharedFolder::InputFailure> SharedFolder::FailureOf(const std::string& name) const
 {
-  const Path path = this->Hidden / (FlatName(name) + ".failed");
+  const Path path = this->PathOf(name, ".failed");
   std::ifstream file(path, std::ios::binary);
   int code = 0;
   InputFailure failure{ ExitCode::Done, "" };
@@ -155,9 +145,10 @@ bool SharedFolder::IsNew(const std::string& file) const
 }
 
 //------------------------------------------------------------------------------
-SharedFolder::Path SharedFolder::ClaimOf(const std::string& name) const
+/// In the same folders as the outputs: their names may be as long as a file system allows.
+SharedFolder::Path SharedFolder::PathOf(const std::string& name, const char* extension) const
 {
-  return this->Hidden / (FlatName(name) + ".claim");
+  return this->Hidden / FilePath(name + extension);
 }
 
 //------------------------------------------------------------------------------

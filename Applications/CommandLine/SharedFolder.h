@@ -7,7 +7,7 @@
  *
  * While batches run, the output folder has a hidden folder .bonedecimate with
  *
- *     NAME.claim     a folder: the input is at work
+ *     NAME.claim     a folder: the input is at work; NAME may have folders
  *     NAME.failed    exit code and message of an input that failed
  *     NUMBER.batch   a folder: a batch is at work; the last that ends removes all of this
  *
@@ -63,7 +63,7 @@ private:
   using Path = std::filesystem::path;
   using Time = std::filesystem::file_time_type;
 
-  Path ClaimOf(const std::string& name) const;
+  Path PathOf(const std::string& name, const char* extension) const;
   bool IsAlive(const Path& folder) const;
   bool RemoveDead(const Path& folder) const;
   bool IsLast() const;

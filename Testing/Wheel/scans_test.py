@@ -44,6 +44,11 @@ class Scans(unittest.TestCase):
                 np.testing.assert_array_equal(found.triangles, self.expected.triangles)
                 np.testing.assert_array_equal(found.boundary_labels, self.expected.boundary_labels)
 
+    def test_labels_outlive_their_image(self):
+        kept = [LabelMap.from_image(simpleitk()) for _ in range(20)]  # their images are gone
+        for label_map in kept:
+            np.testing.assert_array_equal(label_map.labels, halves())
+
     def test_are_label_maps_of_every_function(self):
         for image in (simpleitk(), nibabel.Nifti1Image(halves().transpose(), affine())):
             small = bonedecimate.decimate(*self.expected, label_map=image, keep_voxels="On", target_reduction=0.5,

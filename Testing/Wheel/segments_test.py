@@ -85,6 +85,7 @@ class SegmentsTest(unittest.TestCase):
     def test_structures_are_chosen_by_name_and_label(self):
         for choice in (["hip_left"], [2], ["HIP_LEFT", "spleen"]):
             self.assertEqual(list(segments(self.folder / "masks", choose=choice, **ERROR)), ["hip_left"])
+        self.assertEqual(list(segments(self.image, names={1: "bone", 2: "bone"}, **ERROR)), ["bone", "bone_2"])
         with self.assertRaisesRegex(ValueError, "there is no structure 'rib'; there are femur_left, hip_left, spleen"):
             segments(self.folder / "masks", choose=["rib"])
 

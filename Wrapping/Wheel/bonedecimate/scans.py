@@ -86,7 +86,8 @@ def _of_simpleitk(image: Any) -> Scan:
     where = {"spacing": image.GetSpacing(), "origin": image.GetOrigin(), "direction": image.GetDirection()}
     if len(image.GetSpacing()) != 3:
         raise ValueError(f"a label map has three dimensions, not {len(image.GetSpacing())}")
-    return Scan(sys.modules["SimpleITK"].GetArrayViewFromImage(image), "zyx", where)
+    # A copy: a view is of memory that ends with the image.
+    return Scan(sys.modules["SimpleITK"].GetArrayFromImage(image), "zyx", where)
 
 
 def _of_nibabel(image: Any) -> Scan:

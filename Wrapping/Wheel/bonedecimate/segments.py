@@ -47,7 +47,7 @@ class Segment(NamedTuple):
 
 
 class Segments(Mapping[str, Segment]):
-    """Structures by name, in the order of their labels."""
+    """Structures by name, in the order of their labels. A name that was there before has the label behind it."""
 
     result: Result  #: the surfaces of all structures together, with walls once, and what is proved of them
     empty: list[str]  #: structures of which there is no triangle
@@ -56,6 +56,7 @@ class Segments(Mapping[str, Segment]):
         self.result, self.empty, self._segments = result, [], {}
         for label in labels:
             name = names.get(label, f"label_{label}")
+            name = f"{name}_{label}" if name in self._segments else name
             points, triangles = result.label(label)
             if len(triangles):
                 self._segments[name] = Segment(name, label, points, triangles)
