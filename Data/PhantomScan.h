@@ -19,7 +19,7 @@ struct Scan
   std::array<int, 3> Size;
   Point Spacing; ///< mm
   Point Origin;  ///< mm, LPS
-  int Decimals;  ///< Of the spacing in the header.
+  int Decimals;  ///< Decimals of the spacing in the header.
 };
 
 enum class Content

@@ -34,14 +34,14 @@ private:
     int Step;        ///< Voxels between two nodes.
     double Strength; ///< Largest value.
     std::uint32_t Seed;
-    std::vector<double> Nodes{}; ///< Of the current row.
+    std::vector<double> Nodes{}; ///< Nodes of the current row.
   };
 
   void AppendRow(int j, int k, std::vector<char>& bytes);
   void StartRow(NoiseLayer& layer, int j, int k) const;
 
   int Size;
-  std::vector<double> Sines; ///< Of each coordinate.
+  std::vector<double> Sines; ///< Sines of each coordinate.
   std::vector<double> Cosines;
   std::vector<NoiseLayer> NoiseLayers;
   std::vector<double> Row;

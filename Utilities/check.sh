@@ -8,7 +8,7 @@
 #   Utilities/check.sh format tidy ...     only these
 #   Utilities/check.sh --fix               put the sources into the format
 #
-# format        clang-format 14, .clang-format
+# format        clang-format 14, .clang-format; comments of C++ fill their lines, Utilities/check_comments.py
 # tidy          clang-tidy 23 of PyPI, .clang-tidy, over Filters and Applications (needs build/release, configured), without what
 #               only ParaView's own build compiles; what the build compiles together is checked together
 # spelling      codespell with American spelling, and no unfinished work in comments
@@ -64,7 +64,8 @@ check_format()
 {
   local clang_format
   clang_format=$(tool clang-format) || return 1
-  cxx_files | xargs "$clang_format" --style=file --dry-run --Werror --ferror-limit=3
+  cxx_files | xargs "$clang_format" --style=file --dry-run --Werror --ferror-limit=3 &&
+    cxx_files | xargs python3 -B Utilities/check_comments.py
 }
 
 fix_format()

@@ -25,7 +25,7 @@ struct BatchRow
   ExitCode Code = ExitCode::Interrupted;
   std::string Message;    ///< Why it failed or was skipped, and what its report warns of.
   nlohmann::json Figures; ///< Figures of its report, by column of summary.csv; null: none.
-  /// Of each segment of a label map: figures by column of segments.csv.
+  /// Figures of each segment of a label map, by column of segments.csv.
   std::vector<nlohmann::json> Segments;
   std::string Report; ///< Path; empty: none.
   std::string Output; ///< The surface beside the report; empty: there are several.

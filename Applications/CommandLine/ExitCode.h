@@ -25,7 +25,7 @@ enum class ExitCode : int
   OutOfMemory = 5,
   Violated = 6, ///< As an end of a decimation: a defect.
   Undecided = 7,
-  LeftOut = 8 ///< Of a batch: something was left out, and all else is done.
+  LeftOut = 8 ///< A batch left something out, and all else is done.
 };
 
 /// Every code with its meaning.

@@ -53,7 +53,7 @@ public:
 
   void NoteFailure(const std::string& name, const InputFailure& failure) const;
 
-  /// Of an input that failed in another batch since this one began.
+  /// The problem of an input that failed in another batch since this one began.
   std::optional<InputFailure> FailureOf(const std::string& name) const;
 
   /// Whether a file was written since this batch began.

@@ -3,8 +3,7 @@
 /**
  * @file ReportOfSurface.h
  * @brief The report that travels with a surface in its field data. What it proves, it proves of one
- * surface: that whose triangles
- *        have the report's checksum, to the bit and in any order.
+ * surface: that whose triangles have the report's checksum, to the bit and in any order.
  */
 #ifndef BoneDecimate_Applications_ReportOfSurface_h
 #define BoneDecimate_Applications_ReportOfSurface_h

@@ -23,7 +23,7 @@ namespace bonedecimate::volume
  * Above the value of a surface such a constant would be a wall of bone. It counts as padding if
  *
  *     all four corners of every layer have it,
- *     every voxel outside of a circle around the middle of the layers has it, a circle that fits
+ *     every voxel outside of a circle around the middle of the layers has it, and the circle fits
  *       into them,
  *     at least nine tenths of the voxels just inside of the circle have other values, which differ
  *       from each other.

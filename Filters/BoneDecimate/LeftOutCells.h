@@ -3,8 +3,7 @@
 /**
  * @file LeftOutCells.h
  * @brief What of a vtkPolyData is no surface to be proved: cells without a triangle, lines,
- * vertices, and what the reader of its
- *        file left out (LeftOutOfReader.h).
+ * vertices, and what the reader of its file left out (LeftOutOfReader.h).
  */
 #ifndef LeftOutCells_h
 #define LeftOutCells_h

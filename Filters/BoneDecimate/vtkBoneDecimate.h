@@ -186,8 +186,7 @@ protected:
   void SetPart(const std::vector<char>& isShared, const std::vector<double>& smoothedPoints);
 
   /// After SetPart(): what other parts have near this one. Triangles within the distance of it are
-  /// not edited, and new ones are
-  /// farther away.  @param distance mm, above 0.
+  /// not edited, and new ones are farther away.  @param distance mm, above 0.
   void SetNeighborsOfPart(vtkPolyData* neighbors, double distance);
 
   using EdgesOfPart = std::vector<std::array<vtkIdType, 2>>; // pairs of points
@@ -225,8 +224,7 @@ protected:
   Numbers FiguresOfPart(vtkPolyData* output) const;
 
   /// The report of the whole surface: entries that are numbers, by name, among them the figures of
-  /// the getters, and what
-  /// FindPrunedCells(), SmoothPoints() and CompareVoxels() found.
+  /// the getters, and what FindPrunedCells(), SmoothPoints() and CompareVoxels() found.
   /// @param ofParts FiguresOfPart() of each part.
   void SetReportOfParts(const std::map<std::string, double>& entries,
     const std::vector<Numbers>& ofParts, vtkPolyData* output);

@@ -52,8 +52,7 @@ public:
   ///@{
   /**
    * The search ends when the smallest error found and the largest that was tried in vain differ by
-   * at most this ratio,
-   * 0.001 to 0.5. Default 0.02.
+   * at most this ratio, 0.001 to 0.5. Default 0.02.
    */
   void SetRelativePrecision(double ratio);
   vtkGetMacro(RelativePrecision, double);

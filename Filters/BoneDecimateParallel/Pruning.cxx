@@ -3,8 +3,7 @@
 /**
  * @file Pruning.cxx
  * @brief What vtkPBoneDecimate does to its input first: labels of cells, and small components of
- * the whole surface are removed, as if
- *        they had never been in the input.
+ * the whole surface are removed, as if they had never been in the input.
  */
 #include "BoundaryStrips.h"
 #include "Gathering.h"

@@ -5,12 +5,10 @@
  * @brief Fuzzes the exact predicates: they must agree with rational numbers.
  *
  *     bytes:  which predicate; for floating-point numbers a scale, an offset, and coordinates on a
- *             small lattice; then whether
- *             points are combinations of others, so that they are collinear or coplanar, and how
- *               many
- *             floating-point numbers farther they are moved
+ *             small lattice; then whether points are combinations of others, so that they are
+ *             collinear or coplanar, and how many floating-point numbers farther they are moved;
  *             for fixed-point numbers voxels and fractions of which most are 0, a half or a unit
- *               away from them
+ *             away from them
  */
 #include "Bytes.h"
 #include "Geometry/ExactPredicates.h"

@@ -34,8 +34,8 @@ Surface Cloud(int count, double half, std::uint64_t seed)
   return cloud;
 }
 
-/// The solid angle under which a closed surface is seen, over 4 pi: 1 inside, 0 outside
-/// (A. Van Oosterom, J. Strackee, The solid angle of a plane triangle, 1983).
+/// The solid angle under which a closed surface is seen, over 4 pi: 1 inside, 0 outside (A. Van
+/// Oosterom, J. Strackee, The solid angle of a plane triangle, 1983).
 double WindingNumber(const Surface& surface, const Vector3& p)
 {
   double sum = 0.0;

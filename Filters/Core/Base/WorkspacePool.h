@@ -3,8 +3,7 @@
 /**
  * @file WorkspacePool.h
  * @brief Lends workspaces to workers. A workspace that was returned is lent again, because its
- * memory is in proportion to the
- *        mesh.
+ * memory is in proportion to the mesh.
  */
 #ifndef BoneDecimate_Core_Base_WorkspacePool_h
 #define BoneDecimate_Core_Base_WorkspacePool_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LeftOut.h
- * @brief What of an input is not in the surface that was proved, and what
- * the proof's sentence says of it.
+ * @brief What of an input is not in the surface that was proved, and what the proof's sentence says
+ * of it.
  */
 #ifndef BoneDecimate_Core_Figures_LeftOut_h
 #define BoneDecimate_Core_Figures_LeftOut_h
@@ -33,8 +33,8 @@ struct LeftOut
   /// Where, or the first triangle; empty if neither is known.
   std::string Position() const;
 
-  /// "3 polygons of fewer than three different corners (the first is cell 12)",
-  /// with the distance if it is known.
+  /// "3 polygons of fewer than three different corners (the first is cell 12)", with the distance
+  /// if it is known.
   std::string Sentence() const;
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PartFigures.h
- * @brief Area, volume and thickness of each component or label before
- * and after a run that smoothed.
+ * @brief Area, volume and thickness of each component or label before and after a run that
+ * smoothed.
  */
 #ifndef BoneDecimate_Core_Figures_PartFigures_h
 #define BoneDecimate_Core_Figures_PartFigures_h
@@ -41,8 +41,8 @@ struct PartFigures
 
   /// As a fraction of the volume in the input, with its sign; 0 if the part is not closed.
   double VolumeChange() const;
-  /// As a fraction, of the median or of the percentile, whichever lost more; 0
-  /// if thickness was not measured.
+  /// As a fraction, of the median or of the percentile, whichever lost more; 0 if thickness was not
+  /// measured.
   double ThicknessLoss() const;
   /// Whether the part is smaller than a cube of that volume, mm^3; an open part: whether its area
   /// is less than that of the cube.
@@ -65,8 +65,8 @@ struct PartComparison
   std::vector<PartFigures> Parts; ///< Sorted by their area in the input, largest first.
 };
 
-/// Parts whose volume changed by more than a tenth, and parts that lost more
-/// than a fifth of their thickness.
+/// Parts whose volume changed by more than a tenth, and parts that lost more than a fifth of their
+/// thickness.
 std::vector<std::string> PartWarnings(const PartComparison& compared);
 }
 

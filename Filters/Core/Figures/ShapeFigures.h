@@ -15,8 +15,8 @@
 
 namespace bonedecimate
 {
-/// Shapes of the triangles of a surface as vtkMeshQuality defines them; not a
-/// number if no triangle has an area.
+/// Shapes of the triangles of a surface as vtkMeshQuality defines them; not a number if no triangle
+/// has an area.
 struct ShapeStatistics
 {
   double SmallestAngle = std::numeric_limits<double>::quiet_NaN();   ///< degrees

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Angle.h
- * @brief The angle between two directions, with the same bits on every system: sqrt is
- * the only function of libm in it.
+ * @brief The angle between two directions, with the same bits on every system: sqrt is the only
+ * function of libm in it.
  */
 #ifndef BoneDecimate_Core_Geometry_Angle_h
 #define BoneDecimate_Core_Geometry_Angle_h
@@ -16,8 +16,8 @@ namespace bonedecimate
 {
 constexpr double DegreesPerRadian = 57.29577951308232;
 
-/// Radians, 0 to pi. Both must have a positive length of the same order
-/// as the other; 0 if one has none.
+/// Radians, 0 to pi. Both must have a positive length of the same order as the other; 0 if one has
+/// none.
 inline double AngleBetween(const Vector3& a, const Vector3& b)
 {
   const Vector3 u = a / std::sqrt(a.squaredNorm() > 0.0 ? a.squaredNorm() : 1.0);

@@ -14,8 +14,8 @@ namespace bonedecimate
 namespace
 {
 constexpr Index Width = 4; // children of a node
-/// Boxes are enlarged by this fraction of the whole and of the coordinate: four times
-/// the rounding of single precision.
+/// Boxes are enlarged by this fraction of the whole and of the coordinate: four times the rounding
+/// of single precision.
 constexpr double Growth = 1.0 / (1 << 22);
 /// Coordinates are clamped to this, in lengths of the whole, so that squares stay finite;
 /// all boxes are equally far then.
@@ -326,8 +326,8 @@ void BoundingTree::SetUnit(const Surface& surface)
 }
 
 //------------------------------------------------------------------------------
-/// Converts mm to a unit in which all triangles lie between 0 and 1, rounded safely
-/// down (side -1) or up (side 1).
+/// Converts mm to a unit in which all triangles lie between 0 and 1, rounded safely down (side -1)
+/// or up (side 1).
 float BoundingTree::ToUnit(double coordinate, Eigen::Index axis, double side) const
 {
   const double unit = std::clamp((coordinate - this->Low[axis]) * this->Scale, -Far, Far);

@@ -4,8 +4,8 @@
  * @file BoundingTree.h
  * @brief Exact nearest-point queries on a set of triangles by a tree of axis-aligned boxes.
  *
- * The result is the least distance and, among equals, the least triangle id. A hint
- * changes the time, never the result.
+ * The result is the least distance and, among equals, the least triangle id. A hint changes the
+ * time, never the result.
  *
  *     build:  level by level, each range of triangles is halved twice at the median of the
  *             centroids, along the longer side; halves are multiples of four, so that nearly every
@@ -34,8 +34,8 @@ namespace bonedecimate
 class BoundingTree
 {
 public:
-  /// Copies points and triangles. Corners must be valid and finite. The tree does not
-  /// depend on the number of threads.
+  /// Copies points and triangles. Corners must be valid and finite. The tree does not depend on the
+  /// number of threads.
   /// @param afterStep Called on the calling thread after each step.
   explicit BoundingTree(
     const Surface& surface, int threads = 1, const std::function<void()>& afterStep = {});
@@ -60,8 +60,8 @@ public:
   void VisitNear(
     const Vector3& p, const double& squaredDistance, const std::function<void(Index)>& visit) const;
 
-  /// Calls visit(triangle) for every triangle whose box the ray meets within
-  /// the length, nearer boxes first.
+  /// Calls visit(triangle) for every triangle whose box the ray meets within the length, nearer
+  /// boxes first.
   /// @param direction A vector of length 1.  @param length mm; visit may decrease it.
   void VisitAlong(const Vector3& from, const Vector3& direction, const double& length,
     const std::function<void(Index)>& visit) const;
@@ -95,8 +95,8 @@ private:
   void Improve(const Vector3& p, Nearest& best) const;
   void Improve(const Vector3& p, const Slot& slot, Nearest& best) const;
 
-  /// Visits the slots whose boxes are not farther than `limit()`
-  /// (squared, mm^2), nearer boxes first.
+  /// Visits the slots whose boxes are not farther than `limit()` (squared, mm^2), nearer boxes
+  /// first.
   template <typename Limit, typename Visit>
   void Walk(const Vector3& p, Limit limit, Visit visit) const;
 

@@ -9,11 +9,11 @@ namespace bonedecimate
 {
 namespace
 {
-/// A child has little more than a quarter of the triangles of its parent, so
-/// 2^31 triangles need 17 levels.
+/// A child has little more than a quarter of the triangles of its parent, so 2^31 triangles need 17
+/// levels.
 constexpr std::size_t MaxStack = 128;
-/// A distance or squared distance to a box in single precision is too
-/// large by less than this factor.
+/// A distance or squared distance to a box in single precision is too large by less than this
+/// factor.
 constexpr double Slack = 1.0 + 1e-5;
 constexpr double MaxSquare = 1e38;
 

@@ -23,8 +23,8 @@ bool IsRounded(const ExactVector& v)
   return v[0].Tail != 0.0 || v[1].Tail != 0.0 || v[2].Tail != 0.0;
 }
 
-/// Computes u x v; false if u, v or any step is rounded. Succeeds for points on a
-/// lattice or in single precision.
+/// Computes u x v; false if u, v or any step is rounded. Succeeds for points on a lattice or in
+/// single precision.
 bool FindExactCross(const ExactVector& u, const ExactVector& v, Vector3& cross)
 {
   for (std::size_t i = 0; i < 3; ++i)

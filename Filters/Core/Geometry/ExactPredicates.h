@@ -8,9 +8,9 @@
  *     exact:   otherwise the sum of all products as an expansion, a sum of
  *              nonoverlapping doubles (Expansion.h)
  *
- * Requires rounding to nearest in double precision without contraction. The signs are
- * exact for coordinates that are 0 or between 1e-70 and 1e90 in magnitude: products
- * neither overflow nor underflow.
+ * Requires rounding to nearest in double precision without contraction. The signs are exact for
+ * coordinates that are 0 or between 1e-70 and 1e90 in magnitude: products neither overflow nor
+ * underflow.
  *
  * J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
  * predicates, 1997: expansions, and the bounds of the filters.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Expansion.h
- * @brief A real number as a sum of nonoverlapping nonzero doubles, smallest
- * first, so that sums are exact.
+ * @brief A real number as a sum of nonoverlapping nonzero doubles, smallest first, so that sums are
+ * exact.
  *
  *     a + b = sum + tail     both doubles, exact (Knuth)
  *     a * b = product + tail the same, by halves of 26 digits (Dekker, Veltkamp)

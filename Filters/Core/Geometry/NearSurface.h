@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NearSurface.h
- * @brief Whether triangles come near a surface: never missed, and at most a
- * quarter of the distance too early.
+ * @brief Whether triangles come near a surface: never missed, and at most a quarter of the distance
+ * too early.
  *
  *     nearest point of the surface to the middle of the triangle
  *     neither near nor farther than the distance and the radius: the triangle is cut into four,
@@ -27,8 +27,8 @@ struct Neighborhood
   double Distance = 0.0;                      ///< mm
 };
 
-/// Whether a point of the triangle may be within the distance of the
-/// surface.  @param distance mm, above 0.
+/// Whether a point of the triangle may be within the distance of the surface.  @param distance mm,
+/// above 0.
 bool MayComeNear(
   const BoundingTree& surface, const std::array<Vector3, 3>& corners, double distance);
 

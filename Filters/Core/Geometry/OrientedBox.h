@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OrientedBox.h
- * @brief A box along the longest edge of triangles that lie side by
- * side, such as the needles of a fan.
+ * @brief A box along the longest edge of triangles that lie side by side, such as the needles of a
+ * fan.
  */
 #ifndef BoneDecimate_Core_Geometry_OrientedBox_h
 #define BoneDecimate_Core_Geometry_OrientedBox_h

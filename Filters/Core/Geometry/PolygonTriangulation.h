@@ -43,8 +43,8 @@ public:
   /**
    * Appends triangles with the orientation of the polygon.
    * @param corners Valid indices of points.
-   * @return Whether there are any: not with fewer than three corners at
-   * different successive positions.
+   * @return Whether there are any: not with fewer than three corners at different successive
+   * positions.
    */
   bool Append(const std::vector<Index>& corners, std::vector<Triangle>& triangles);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SmallestAngle.h
- * @brief The smallest angle of a triangle, as its cosine: 0.5 for an equilateral
- * triangle, 1 for one without area.
+ * @brief The smallest angle of a triangle, as its cosine: 0.5 for an equilateral triangle, 1 for
+ * one without area.
  */
 #ifndef BoneDecimate_Core_Geometry_SmallestAngle_h
 #define BoneDecimate_Core_Geometry_SmallestAngle_h

@@ -29,8 +29,8 @@ public:
     double SquaredDistance = std::numeric_limits<double>::infinity(); // mm^2
     double B = 0.0;
     double C = 0.0;
-    /// Bit 0, 1, 2: the weight of corner a, b, c is zero because the
-    /// point lies on the opposite edge.
+    /// Bit 0, 1, 2: the weight of corner a, b, c is zero because the point lies on the opposite
+    /// edge.
     int Clamped = 0;
   };
 

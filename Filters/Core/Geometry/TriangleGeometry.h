@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleGeometry.h
- * @brief The area vector of a triangle and its point nearest to another
- * point. Handles degenerate triangles.
+ * @brief The area vector of a triangle and its point nearest to another point. Handles degenerate
+ * triangles.
  */
 #ifndef BoneDecimate_Core_Geometry_TriangleGeometry_h
 #define BoneDecimate_Core_Geometry_TriangleGeometry_h
@@ -31,8 +31,8 @@ struct PointOnTriangle
 /// The point of the segment a-b nearest to p as a fraction of the way from a to b, 0 to 1.
 double NearestFraction(const Vector3& p, const Vector3& a, const Vector3& b);
 
-/// The point of triangle a b c nearest to p (regions as in Ericson, Real-Time
-/// Collision Detection, 2005, 5.1.5).
+/// The point of triangle a b c nearest to p (regions as in Ericson, Real-Time Collision Detection,
+/// 2005, 5.1.5).
 PointOnTriangle NearestOnTriangle(
   const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LevelStack.h
- * @brief All levels of a recorded run in arrays from which each can be
- * extracted without replaying its edits.
+ * @brief All levels of a recorded run in arrays from which each can be extracted without replaying
+ * its edits.
  *
  *     each face     time of its removal; a linked list of the changes of its
  *                   corners by flips, latest first
@@ -59,8 +59,8 @@ public:
 
   /// @param points The points of the cleaned input's vertices, mm, in the frame of the input, used
   /// for vertices that were never moved.
-  /// @param originals The original vertex of each vertex, see
-  /// ManifoldPatches.h; empty: nothing was split.
+  /// @param originals The original vertex of each vertex, see ManifoldPatches.h; empty: nothing was
+  /// split.
   Level At(Index collapses, int threads, const std::vector<Vector3>& points,
     const std::vector<Index>& originals) const;
 

@@ -30,8 +30,8 @@ std::string LogMessage(LogStatus status);
 std::vector<unsigned char> WriteLog(const EditLog& log);
 
 /**
- * Uses memory of at most a few times the number of bytes, whatever they
- * contain. LevelStack validates the ids.
+ * Uses memory of at most a few times the number of bytes, whatever they contain. LevelStack
+ * validates the ids.
  * @param log Changed only if the result is Good.
  */
 LogStatus ReadLog(const unsigned char* bytes, std::size_t size, EditLog& log);

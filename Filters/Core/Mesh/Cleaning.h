@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Cleaning.h
- * @brief Rejects invalid input, merges equal points, drops triangles without
- * area, and counts all of these.
+ * @brief Rejects invalid input, merges equal points, drops triangles without area, and counts all
+ * of these.
  *
  *     check points and triangles
  *     each used point: its representative is the least used point with the same coordinates

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CutEdges.h
- * @brief Edges where a part was cut out of a larger surface: those of
- * one triangle are no boundaries.
+ * @brief Edges where a part was cut out of a larger surface: those of one triangle are no
+ * boundaries.
  */
 #ifndef BoneDecimate_Core_Mesh_CutEdges_h
 #define BoneDecimate_Core_Mesh_CutEdges_h

@@ -124,8 +124,8 @@ public:
     return isFree;
   }
 
-  /// Removes the half-edge from the neighbor to the point; None if there is
-  /// none or it was removed before.
+  /// Removes the half-edge from the neighbor to the point; None if there is none or it was removed
+  /// before.
   Index Take(Index point, Index neighbor)
   {
     Mark& mark = this->At(neighbor);
@@ -162,8 +162,8 @@ void EdgeMatching::MatchBlock(std::size_t firstPoint, std::size_t lastPoint)
 }
 
 //------------------------------------------------------------------------------
-/// Each triangle at the point has one outgoing and one incoming half-edge. False
-/// if these do not pair one to one.
+/// Each triangle at the point has one outgoing and one incoming half-edge. False if these do not
+/// pair one to one.
 bool EdgeMatching::MatchPairs(Index point, Marks& marks)
 {
   bool paired = true;

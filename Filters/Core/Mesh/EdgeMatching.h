@@ -12,8 +12,8 @@
  *       otherwise, for each of its edges:       one: boundary; one each way: twins; else odd
  *     for each point: walk from twin to twin  visits all its triangles: one fan
  *
- * Work is divided into blocks of points and of triangles; the result does not
- * depend on the number of threads.
+ * Work is divided into blocks of points and of triangles; the result does not depend on the number
+ * of threads.
  */
 #ifndef BoneDecimate_Core_Mesh_EdgeMatching_h
 #define BoneDecimate_Core_Mesh_EdgeMatching_h
@@ -49,8 +49,8 @@ struct EdgeCounts
 /// The triangles around each point.
 struct Rings
 {
-  /// For each point the half-edge at which its ring starts: the greatest without a twin,
-  /// else the least. None if unused.
+  /// For each point the half-edge at which its ring starts: the greatest without a twin, else the
+  /// least. None if unused.
   LargeArray<Index> Outgoing;
   /// For each point: NonManifold if one of its edges is odd or its triangles are not one fan.
   LargeArray<VertexConstraint> Constraints;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeNeighborhood.h
- * @brief The neighborhood of an edge, gathered once for the validity
- * checks, the placement and the costs.
+ * @brief The neighborhood of an edge, gathered once for the validity checks, the placement and the
+ * costs.
  *
  *          p1 ---- a0 ---- qn       Start, End   the ends of the edge
  *         /  \    /  \    /  \      a0, a1       apexes of the removed faces (no a1 on a boundary)
@@ -40,17 +40,17 @@ struct EdgeNeighborhood
   /// The faces of Corners, then those that are removed.
   std::vector<Index> Faces() const;
 
-  /// Replaces the content without allocating. No end may be NonManifold, and both may be
-  /// on a boundary only if the edge is. False, and the content is of no use, if there are
-  /// more than MaxFacesOfEdit corners.
+  /// Replaces the content without allocating. No end may be NonManifold, and both may be on a
+  /// boundary only if the edge is. False, and the content is of no use, if there are more than
+  /// MaxFacesOfEdit corners.
   bool Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 
   /// The link condition: no vertex occurs twice on the ring, and no end lies on it.
   bool RingIsSimple() const;
 };
 
-/// Whether the vertex has so many faces that none of its edges can be collapsed: more
-/// than MaxFacesOfEdit would remain.
+/// Whether the vertex has so many faces that none of its edges can be collapsed: more than
+/// MaxFacesOfEdit would remain.
 bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex);
 inline bool MayMove(const HalfEdgeMesh& mesh, VertexId vertex)
 {

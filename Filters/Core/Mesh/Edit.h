@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Edit.h
- * @brief A proposed change of the mesh: an edge collapse, an edge flip, a
- * vertex move, or an edge split.
+ * @brief A proposed change of the mesh: an edge collapse, an edge flip, a vertex move, or an edge
+ * split.
  */
 #ifndef BoneDecimate_Core_Mesh_Edit_h
 #define BoneDecimate_Core_Mesh_Edit_h
@@ -15,9 +15,9 @@
 
 namespace bonedecimate
 {
-/// Faces at the vertex that a collapse merges or a move moves, at most. Vertices with
-/// more wait until collapses around them have removed some, so that no edit costs
-/// more the more faces a vertex has.
+/// Faces at the vertex that a collapse merges or a move moves, at most. Vertices with more wait
+/// until collapses around them have removed some, so that no edit costs more the more faces a
+/// vertex has.
 constexpr Index MaxFacesOfEdit = 128;
 
 enum class EditKind : std::uint8_t

@@ -4,8 +4,8 @@
  * @file FreeSlots.h
  * @brief Ids of removed vertices and faces that edge splits use again.
  *
- * Ids follow the surface (SpatialOrder.h), so a split takes the free id
- * nearest to that of a neighbor.
+ * Ids follow the surface (SpatialOrder.h), so a split takes the free id nearest to that of a
+ * neighbor.
  */
 #ifndef BoneDecimate_Core_Mesh_FreeSlots_h
 #define BoneDecimate_Core_Mesh_FreeSlots_h
@@ -16,8 +16,8 @@
 
 namespace bonedecimate
 {
-/// A set of ids of which the one nearest to another id is taken at a time, in
-/// nearly constant time on average.
+/// A set of ids of which the one nearest to another id is taken at a time, in nearly constant time
+/// on average.
 class FreeSlots
 {
 public:
@@ -32,8 +32,8 @@ public:
 private:
   static Index Follow(std::vector<Index>& next, Index at);
 
-  // At id + 1, of each id: the next free id + 1 upward or downward, itself if it
-  // is free; both ends always are.
+  // At id + 1, of each id: the next free id + 1 upward or downward, itself if it is free; both ends
+  // always are.
   std::vector<Index> Upward;
   std::vector<Index> Downward;
   Index Left = 0;

@@ -266,8 +266,8 @@ void HalfEdgeMesh::Split(const Edit& edit)
 }
 
 //------------------------------------------------------------------------------
-/// Removes the face of h and merges its other two edges. The first normal
-/// stays, for an edit that is undone.
+/// Removes the face of h and merges its other two edges. The first normal stays, for an edit that
+/// is undone.
 void HalfEdgeMesh::RemoveFace(HalfEdgeId h)
 {
   const HalfEdgeId alongNext = this->Twin(Next(h));

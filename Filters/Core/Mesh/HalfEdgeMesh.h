@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file HalfEdgeMesh.h
- * @brief A triangle mesh as half-edges in flat arrays, with constrained
- * vertices where it is not manifold.
+ * @brief A triangle mesh as half-edges in flat arrays, with constrained vertices where it is not
+ * manifold.
  *
- * Half-edge h = 4 f + k, k = 0, 1, 2, runs from corner k of face f to the
- * next corner, the face on its left:
+ * Half-edge h = 4 f + k, k = 0, 1, 2, runs from corner k of face f to the next corner, the face on
+ * its left:
  *
  *              apex
  *             /    \            Next(h), Previous(h): the other two in the face
@@ -18,8 +18,8 @@
  * face is alive or its corners are None; the ring of a vertex that is not NonManifold is one fan
  * with all its faces. VertexConstraint.h says what edits may do to a vertex.
  *
- * A face record is half a cache line, a vertex record is one: an edge is
- * evaluated from the records of its ends.
+ * A face record is half a cache line, a vertex record is one: an edge is evaluated from the records
+ * of its ends.
  */
 #ifndef BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
@@ -49,8 +49,8 @@ struct PatchMap
   EdgeCounts Edges; ///< Before splitting.
 };
 
-/// Sums over the triangles at a vertex, with area A and unit normal n; all their
-/// planes pass through the vertex.
+/// Sums over the triangles at a vertex, with area A and unit normal n; all their planes pass
+/// through the vertex.
 struct RingQuadric
 {
   /// xx xy xz yy yz zz of the sum of 2 A n n^T, squares of the mesh's unit.
@@ -160,8 +160,8 @@ public:
   /// The largest power of two not above that length, mm.
   double Unit() const { return this->LengthUnit; }
 
-  /// The half-edges that leave v, counter-clockwise, one for each of its
-  /// faces. v must not be NonManifold.
+  /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be
+  /// NonManifold.
   class OutgoingRange;
   OutgoingRange OutgoingOf(VertexId v) const;
 
@@ -187,15 +187,15 @@ private:
 
   void LinkDuplicates(const PatchMap& patches);
 
-  /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller
-  /// has checked that this is valid.
+  /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller has checked
+  /// that this is valid.
   void Collapse(const EdgeNeighborhood& around, VertexId keep, const Vector3& position);
   /// Replaces the edge of h, which has two faces, by the edge between their apexes. The caller
   /// has checked that this is valid.
   void Flip(HalfEdgeId h);
-  /// Puts the vertex edit.Keep, which has no faces, on the edge. Each of its faces a b c
-  /// keeps its id as a m c and gives the rest, m b c, to one of edit.Made. The caller
-  /// has checked that this is valid.
+  /// Puts the vertex edit.Keep, which has no faces, on the edge. Each of its faces a b c keeps its
+  /// id as a m c and gives the rest, m b c, to one of edit.Made. The caller has checked that this
+  /// is valid.
   void Split(const Edit& edit);
   /// @param h From a to b, of the face a b c.  @param vertex m.  @param made Becomes m b c.
   void SplitFace(HalfEdgeId h, VertexId vertex, FaceId made);
@@ -217,8 +217,8 @@ private:
     }
   }
   static void PackFirstNormal(FaceRecord& record, const Vector3& area);
-  /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees, and the
-  /// area in 16, precise to 1 percent.
+  /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees, and the area in 16,
+  /// precise to 1 percent.
   Vector3 FirstNormal(FaceId face) const
   {
     const std::int32_t xy = this->Faces[face].Origins[3];

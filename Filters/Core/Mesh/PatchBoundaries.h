@@ -10,8 +10,8 @@
  *     curve:          inner vertices between two ends that are not inner vertices
  *     closed curve:   starts and ends at its least vertex
  *
- * The vertices never move, so removed vertices keep their position in the
- * order between two remaining ones.
+ * The vertices never move, so removed vertices keep their position in the order between two
+ * remaining ones.
  */
 #ifndef BoneDecimate_Core_Mesh_PatchBoundaries_h
 #define BoneDecimate_Core_Mesh_PatchBoundaries_h
@@ -24,8 +24,8 @@
 
 namespace bonedecimate
 {
-/// The original vertices next to v along the boundary of its patch, the lesser
-/// first; None if v is not on one.
+/// The original vertices next to v along the boundary of its patch, the lesser first; None if v is
+/// not on one.
 std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, VertexId v);
 
 /// Whether v is an inner vertex of a curve: it has the same two neighbors in every patch.

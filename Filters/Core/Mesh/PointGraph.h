@@ -17,8 +17,8 @@ namespace bonedecimate
 class PointGraph
 {
 public:
-  /// @param duplicates For each point one at the same position, which
-  /// counts as its neighbor; empty: none.
+  /// @param duplicates For each point one at the same position, which counts as its neighbor;
+  /// empty: none.
   explicit PointGraph(const Surface& surface, const std::vector<Index>& duplicates = {});
 
   /// Calls visit(neighbor) for each neighbor, some of them twice.

@@ -110,8 +110,8 @@ Parts Distribute(
   return result;
 }
 
-/// Open addressing, never more than half full; the index in the table comes
-/// from the last bits of the hash.
+/// Open addressing, never more than half full; the index in the table comes from the last bits of
+/// the hash.
 std::int64_t MergePart(const std::vector<Vector3>& points, const Entry* first, const Entry* last,
   std::vector<Entry>& table, LargeArray<Index>& representative)
 {

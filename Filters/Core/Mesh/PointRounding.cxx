@@ -8,8 +8,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Volatile, because optimizers remove the conversion to single precision
-/// and back (gcc 12 does at -O2).
+/// Volatile, because optimizers remove the conversion to single precision and back (gcc 12 does at
+/// -O2).
 double NearestSingle(double value)
 {
   const volatile float rounded = static_cast<float>(value);

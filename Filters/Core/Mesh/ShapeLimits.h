@@ -32,8 +32,8 @@ struct ShapeLimits
   /// Edges longer than this multiple of the length are split. The halves of such an edge differ
   /// less from the length than itself.
   static constexpr double Longest = 4.0 / 3.0;
-  /// Edges shorter than this fraction of the length are collapsed. Both are those of
-  /// Botsch and Kobbelt (EdgeSizer.h).
+  /// Edges shorter than this fraction of the length are collapsed. Both are those of Botsch and
+  /// Kobbelt (EdgeSizer.h).
   static constexpr double Shortest = 0.8;
 
   /// mm; no longer edge may stay anywhere.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SizingField.h
- * @brief The length that edges are to have at each position: that at
- * the nearest point of a surface.
+ * @brief The length that edges are to have at each position: that at the nearest point of a
+ * surface.
  */
 #ifndef BoneDecimate_Core_Mesh_SizingField_h
 #define BoneDecimate_Core_Mesh_SizingField_h

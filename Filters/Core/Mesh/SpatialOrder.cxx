@@ -93,8 +93,8 @@ private:
   double Scale = 1.0; // cells per mm
 };
 
-/// Entries with the first 33 bits of the position on the curve and the index of the
-/// point, sorted by three digits.
+/// Entries with the first 33 bits of the position on the curve and the index of the point, sorted
+/// by three digits.
 using CurveEntry = std::uint64_t;
 
 Index PointOf(CurveEntry entry)
@@ -167,8 +167,8 @@ void SortTies(const Curve& curve, CurveEntry* entries, std::size_t count)
   }
 }
 
-/// For each new index the old one; triangles are sorted by the new indices of
-/// their corners from the least on.
+/// For each new index the old one; triangles are sorted by the new indices of their corners from
+/// the least on.
 std::vector<Index> OrderByLeastPoint(
   const std::vector<Triangle>& triangles, std::size_t numberOfPoints)
 {

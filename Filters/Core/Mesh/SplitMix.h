@@ -4,8 +4,8 @@
  * @file SplitMix.h
  * @brief A word with all bits mixed, for sums that do not depend on the order of their terms.
  *
- * The mixer of SplitMix64: G. Steele, D. Lea, C. Flood, Fast splittable
- * pseudorandom number generators, 2014.
+ * The mixer of SplitMix64: G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number
+ * generators, 2014.
  */
 #ifndef BoneDecimate_Core_Mesh_SplitMix_h
 #define BoneDecimate_Core_Mesh_SplitMix_h

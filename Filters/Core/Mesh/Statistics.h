@@ -27,8 +27,8 @@ struct SurfaceCounts
 };
 SurfaceStatistics Describe(const Surface& surface, const SurfaceCounts& counts, int threads);
 
-/// The components, numbered in the order of their least point; None
-/// for points that no triangle uses.
+/// The components, numbered in the order of their least point; None for points that no triangle
+/// uses.
 struct Components
 {
   std::vector<Index> OfPoint;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceParts.h
- * @brief Area and volume of the parts of a surface: of its components,
- * or of what its labels enclose.
+ * @brief Area and volume of the parts of a surface: of its components, or of what its labels
+ * enclose.
  *
- * A part is closed if along every edge as many of its triangles run one way as the
- * other. A sum over the half-edges tells: each adds a random number of its edge, or
- * subtracts it where it runs to the lesser point. The sum is 0 if the part is closed,
- * and otherwise with a probability of 2^-64.
+ * A part is closed if along every edge as many of its triangles run one way as the other. A sum
+ * over the half-edges tells: each adds a random number of its edge, or subtracts it where it runs
+ * to the lesser point. The sum is 0 if the part is closed, and otherwise with a probability of
+ * 2^-64.
  */
 #ifndef BoneDecimate_Core_Mesh_SurfaceParts_h
 #define BoneDecimate_Core_Mesh_SurfaceParts_h
@@ -21,8 +21,8 @@
 
 namespace bonedecimate
 {
-/// The part out of which the normal of a triangle points, and the part into
-/// which it points; None: no part.
+/// The part out of which the normal of a triangle points, and the part into which it points; None:
+/// no part.
 using PartSides = std::array<Index, 2>;
 
 struct SurfaceParts

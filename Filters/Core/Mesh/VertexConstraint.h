@@ -33,8 +33,8 @@ enum class VertexConstraint : std::uint8_t
   Constrained         ///< Has a tolerance of 0, or is a corner of a face with such a vertex.
 };
 
-/// It never moves, is never removed, and nothing is collapsed onto it. No edit changes
-/// a face with three such corners.
+/// It never moves, is never removed, and nothing is collapsed onto it. No edit changes a face with
+/// three such corners.
 constexpr bool IsConstrained(VertexConstraint constraint)
 {
   return constraint == VertexConstraint::NonManifold || constraint == VertexConstraint::Constrained;

@@ -5,19 +5,17 @@
  * @brief The table of modes. A mode is a row: its policies, its stages, their settings and what
  * MaximumError means.
  *
- *     mode       cost                   placement           schedule       stages      MaximumError
- *     Thesis     NormalFieldDeviation   PlaneQuadric        VertexQueue    collapse   stops the run
- *     Fast       QuadricDeviation       VolumePreserving    BucketSweep    collapse       is proved
- *     Balanced   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is
- *       proved
- *     Accurate   QuadricDeviation       VolumePreserving    BucketSweep    collapse, refine    is
- *       proved
+ *     mode       cost                   placement          schedule      stages    MaximumError
+ *     Thesis     NormalFieldDeviation   PlaneQuadric       VertexQueue   collapse  stops the run
+ *     Fast       QuadricDeviation       VolumePreserving   BucketSweep   collapse  is proved
+ *     Balanced   QuadricDeviation       VolumePreserving   BucketSweep   both      is proved
+ *     Accurate   QuadricDeviation       VolumePreserving   BucketSweep   both      is proved
  *
- * NAME in the table refers to Cost/NAME.h, Placement/NAME.h and Schedule/NAME.h. The schedule
- * determines the signatures of the cost and placement functions. Balanced and Accurate differ in
- * the settings of their stages. The refine stage improves the mesh by flips and moves, collapses to
- * the target, and improves it again. Without an error bound these collapses are ordered by
- * Decimate/Cost/SampledErrorCost.h.
+ * The two stages are collapse and refine. NAME in the table refers to Cost/NAME.h, Placement/NAME.h
+ * and Schedule/NAME.h. The schedule determines the signatures of the cost and placement functions.
+ * Balanced and Accurate differ in the settings of their stages. The refine stage improves the mesh
+ * by flips and moves, collapses to the target, and improves it again. Without an error bound these
+ * collapses are ordered by Decimate/Cost/SampledErrorCost.h.
  *
  * A new cost or placement is a function in a file of its own, named in a row. A new mode is an
  * enumerator and a row of Modes.cxx. Option, commands, messages, wrappers, tests and the page of
@@ -134,21 +132,22 @@ struct Stage
 /// What the page of the modes says of one, in Markdown.
 struct ModeText
 {
-  const char* Use;
-  const char* Order;      ///< Order of the collapses.
-  const char* Position;   ///< Position of the new vertex.
-  const char* Refinement; ///< What moves and flips after the collapses.
+  const char* Use = "";
+  const char* Order = "";      ///< Order of the collapses.
+  const char* Position = "";   ///< Position of the new vertex.
+  const char* Refinement = ""; ///< What moves and flips after the collapses.
 };
 
 struct ModeInfo
 {
-  bonedecimate::Mode Mode;
-  const char* Name;
+  bonedecimate::Mode Mode = bonedecimate::Mode::Balanced;
+  const char* Name = "";
   std::variant<QueuePolicies, SweepPolicies> Schedule;
-  ErrorPolicy ErrorMeaning;
+  ErrorPolicy ErrorMeaning = ErrorPolicy::ProvedBound;
   /// Whether the distance of every new vertex to the original is recorded along the collapses.
-  bool RecordsDistances;
-  bool KeepsInitialMesh; ///< Whether stages need the mesh as it was before the first edit.
+  bool RecordsDistances = false;
+  /// Whether stages need the mesh as it was before the first edit.
+  bool KeepsInitialMesh = false;
   SweepSettings Sweep;
   RefineSettings Refine;
   std::vector<Stage> Stages; ///< In order.

@@ -29,8 +29,8 @@ bool HasProvableError(const Options& options)
   return IsLimited(options) || (options.Smooths() && options.KeepsAllTriangles());
 }
 
-/// Whether the run ends at a number of triangles; the default reduction
-/// is ignored if there is an error.
+/// Whether the run ends at a number of triangles; the default reduction is ignored if there is an
+/// error.
 bool HasCount(const Options& options)
 {
   return options.TargetNumberOfTriangles > 0 || options.EndsAtReduction(HasError(options));

@@ -11,8 +11,8 @@
 
 namespace bonedecimate
 {
-/// Largest absolute value of a length, area or volume; points farther
-/// from the origin are rejected, too.
+/// Largest absolute value of a length, area or volume; points farther from the origin are rejected,
+/// too.
 constexpr double MaxNumber = 1e30;
 
 struct NumberRange

@@ -73,8 +73,8 @@ OptionValue GetOption(const Options& options, const OptionInfo& info);
 /// Whether the option requests something of the run: mostly that its value is not the default.
 bool IsUsed(const Options& options, const OptionInfo& info);
 
-/// Names of the options that do not have their default, for callers
-/// that do not know which were set.
+/// Names of the options that do not have their default, for callers that do not know which were
+/// set.
 std::vector<std::string> ChangedOptions(const Options& options);
 
 /// What is wrong with a value, in one sentence: its kind, or that it is outside the range (NaN and
@@ -91,8 +91,8 @@ std::string SetOption(Options& options, const OptionInfo& info, const OptionValu
 /// The same from text.
 std::string SetOptionFromText(Options& options, const OptionInfo& info, const std::string& text);
 
-/// The value as text: the name of a choice, "on"/"off", the shortest
-/// decimals that read back the same.
+/// The value as text: the name of a choice, "on"/"off", the shortest decimals that read back the
+/// same.
 std::string OptionText(const Options& options, const OptionInfo& info);
 
 /// The table as Markdown, for Documentation/options.md.

@@ -85,8 +85,8 @@ struct Options
     return voxels[static_cast<std::size_t>(this->ErrorPreset)];
   }
 
-  /// mm, the smaller one of MaximumError and the error of the preset,
-  /// of those that are set; 0: none.
+  /// mm, the smaller one of MaximumError and the error of the preset, of those that are set; 0:
+  /// none.
   /// @param voxelSize mm
   double MaxError(double voxelSize) const
   {

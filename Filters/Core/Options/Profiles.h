@@ -36,8 +36,8 @@ const Profile* FindProfile(const std::string& name);
 
 std::vector<std::string> ProfileNames();
 
-/// The flags of the options that say the same as this one in another way, itself
-/// included: "max-error" and "preset".
+/// The flags of the options that say the same as this one in another way, itself included:
+/// "max-error" and "preset".
 std::vector<std::string> AlternativesTo(const std::string& flag);
 
 /// The table as Markdown, for Documentation/command-line.md.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RunKinds.h
- * @brief What does not go together: a row for each kind of run says which needs
- * of options and inputs it lacks.
+ * @brief What does not go together: a row for each kind of run says which needs of options and
+ * inputs it lacks.
  *
  * A run offers every need (Needs.h) but those that its row lacks. A run may be of several kinds at
  * once, such as one on several processes whose points have two precisions. A requested option or
@@ -26,8 +26,8 @@ struct OptionInfo;
 struct Lack
 {
   NeedList Needs;
-  /// In it "{}" is replaced by the name of the request, "{all}" by the names of all
-  /// requests that have one of these needs.
+  /// In it "{}" is replaced by the name of the request, "{all}" by the names of all requests that
+  /// have one of these needs.
   std::string Sentence;
 };
 
@@ -55,8 +55,8 @@ struct Request
 /// All options of the table.
 std::vector<Request> RequestsOf(const Options& options);
 
-/// Why the first of the requests cannot be followed, a sentence without a
-/// period; empty if there is none.
+/// Why the first of the requests cannot be followed, a sentence without a period; empty if there is
+/// none.
 std::string FindUnsupported(
   const std::vector<RunKind>& kinds, const std::vector<Request>& requests);
 

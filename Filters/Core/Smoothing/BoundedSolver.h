@@ -47,8 +47,8 @@ public:
   int IterationsOf(double lambda, bool isNear) const;
 
   /// Moves the displacements, in units of the sets, towards the minimum from where they are.
-  /// @param monitor May be empty.  @return False after an abort; the displacements
-  /// are then still within the sets.
+  /// @param monitor May be empty.  @return False after an abort; the displacements are then still
+  /// within the sets.
   bool Run(
     double lambda, int iterations, const Monitor& monitor, std::vector<Vector3>& displacements);
 
@@ -57,8 +57,8 @@ public:
     double lambda, const std::vector<Index>& points, std::vector<Vector3>& displacements);
 
 private:
-  /// For each axis: longer units have a stronger smoothing, because the
-  /// quantization is that much coarser.
+  /// For each axis: longer units have a stronger smoothing, because the quantization is that much
+  /// coarser.
   Vector3 Strengths(double lambda) const;
   void FillRow(Index point);
   void Step(

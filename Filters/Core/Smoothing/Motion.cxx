@@ -13,8 +13,8 @@ constexpr int MaxHalvingsOfTime = 8;
 /// Bound of the rounding of products, relative to the coordinates.
 constexpr double Rounding = 1e-12;
 
-/// Whether all corners of the second triangle lie farther along the
-/// direction than those of the first.
+/// Whether all corners of the second triangle lie farther along the direction than those of the
+/// first.
 bool Separates(const Vector3& direction, const TrianglesInTime& at)
 {
   double lastOfFirst = -std::numeric_limits<double>::infinity();

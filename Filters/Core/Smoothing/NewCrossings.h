@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NewCrossings.h
- * @brief Triangles that intersect or are turned over after their points
- * have moved, and were not before.
+ * @brief Triangles that intersect or are turned over after their points have moved, and were not
+ * before.
  *
  *     pairs:   triangles whose boxes overlap, from a binary tree of boxes over the
  *              triangles as they come, which lie along a curve that fills space; pairs that

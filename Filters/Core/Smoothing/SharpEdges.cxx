@@ -36,8 +36,8 @@ bool HaveEqualOrientation(const Triangle& one, const Triangle& other)
   return false;
 }
 
-/// Neighbors of each triangle over edges that may be sharp, if their
-/// orientations agree; ascending by edge.
+/// Neighbors of each triangle over edges that may be sharp, if their orientations agree; ascending
+/// by edge.
 class Neighbors
 {
 public:

@@ -21,8 +21,8 @@
  * angle there, also if it is rounded. On a sphere they differ by no more than the sum of the bends,
  * on a cylinder by no more than 1.5 times that.
  *
- * M. Kuwahara et al., Processing of RI-angiocardiographic images, 1976: the mean of the
- * most homogeneous neighborhood.
+ * M. Kuwahara et al., Processing of RI-angiocardiographic images, 1976: the mean of the most
+ * homogeneous neighborhood.
  */
 #ifndef BoneDecimate_Core_Smoothing_SharpEdges_h
 #define BoneDecimate_Core_Smoothing_SharpEdges_h
@@ -48,8 +48,8 @@ struct SharpEdges
   std::vector<Vector3> Normals; ///< The normal of the patch of each triangle.
 };
 
-/// @param points mm, smoothed, so that the spread of a patch is its
-/// curvature and not its staircase.
+/// @param points mm, smoothed, so that the spread of a patch is its curvature and not its
+/// staircase.
 /// @param edges The two triangles of each edge that may be sharp; patches do not extend over other
 /// edges, nor over those where orientations contradict.
 SharpEdges FindSharpEdges(const std::vector<Vector3>& points,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Smoothing.h
- * @brief Smooths a surface within a bound: no point moves farther than
- * allowed, and the connectivity stays.
+ * @brief Smooths a surface within a bound: no point moves farther than allowed, and the
+ * connectivity stays.
  *
  *     radii       the largest displacement, and what tolerances leave of it     DisplacementSets.h
  *     strength    by the discrepancy principle if the grid is known             SmoothingStrength.h
@@ -36,8 +36,8 @@ namespace bonedecimate
 /// The surface and what is known of it.
 struct SmoothingInput
 {
-  /// mm. Finite points; corners valid and different; neighbors near each other in
-  /// memory. Anything non-manifold.
+  /// mm. Finite points; corners valid and different; neighbors near each other in memory. Anything
+  /// non-manifold.
   const bonedecimate::Surface& Surface;
   /// mm, of each point, how far the result may be from it; null: nothing but the radius limits. A
   /// point moves by no more than the least of its own and its neighbors' limits, so that all of a
@@ -53,8 +53,8 @@ struct SmoothingSettings
   double Radius = 0.0;         ///< mm, the largest displacement.
   double Strength = 0.0;       ///< lambda; 0: automatic.
   double FeatureAngle = 180.0; ///< Degrees: edges that are sharper are kept; 180: none.
-  /// For thick slices: in units of voxels, octahedra alone, and stronger along longer
-  /// sides. Only with points of a grid.
+  /// For thick slices: in units of voxels, octahedra alone, and stronger along longer sides. Only
+  /// with points of a grid.
   bool InVoxels = false;
   PointRounding Rounding = {};      ///< Rounding of the written positions,
   Vector3 Origin = Vector3::Zero(); ///< mm, relative to this position.

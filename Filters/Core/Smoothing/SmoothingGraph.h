@@ -44,8 +44,8 @@ enum class CurveKind : std::uint8_t
 class SmoothingGraph
 {
 public:
-  /// @param surface Its corners must be valid and different. Points
-  /// without triangles have no neighbors.
+  /// @param surface Its corners must be valid and different. Points without triangles have no
+  /// neighbors.
   /// @param labels For each triangle; empty: none.  @param toUnits From millimeters.
   SmoothingGraph(const Surface& surface, const std::vector<BoundaryLabels>& labels,
     const Eigen::Matrix3d& toUnits, int threads);
@@ -76,8 +76,8 @@ public:
     return this->IsNearSharp(point) ? this->TransposedRowNearSharp(point, z)
                                     : this->Apply(this->TransposedWeights, point, z);
   }
-  /// Row `point` of L x in units by differences of neighbors: without
-  /// cancellation far from the origin.
+  /// Row `point` of L x in units by differences of neighbors: without cancellation far from the
+  /// origin.
   /// @param x mm  @param toUnits Converts a displacement.
   template <typename ToUnits>
   Vector3 RowOfPositions(Index point, const std::vector<Vector3>& x, const ToUnits& toUnits) const
@@ -103,8 +103,8 @@ public:
   /// Median length of the edges, in units.
   double MedianLength() const { return this->Median; }
 
-  /// An upper bound of row `point` of the absolute values of L^T L: twice the
-  /// absolute sum of a column of L.
+  /// An upper bound of row `point` of the absolute values of L^T L: twice the absolute sum of a
+  /// column of L.
   double ColumnBound(Index point) const;
 
   /// The two triangles of each edge that is neither a boundary nor a junction.

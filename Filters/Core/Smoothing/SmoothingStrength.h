@@ -13,8 +13,8 @@
  * Start at 5; at most three solves of ten iterations, each from the result of the one before;
  * secant steps of the logarithms, limited to 1 to 12.
  *
- * V. A. Morozov, On the solution of functional equations by the method of
- * regularization, 1966: the principle.
+ * V. A. Morozov, On the solution of functional equations by the method of regularization, 1966: the
+ * principle.
  */
 #ifndef BoneDecimate_Core_Smoothing_SmoothingStrength_h
 #define BoneDecimate_Core_Smoothing_SmoothingStrength_h
@@ -38,8 +38,8 @@ struct StrengthProblem
   int Threads = 1;
 };
 
-/// @param displacements Those of the last solve: a start for the final
-/// one. @param monitor May be empty.
+/// @param displacements Those of the last solve: a start for the final one. @param monitor May be
+/// empty.
 double ChooseStrength(const StrengthProblem& problem, BoundedSolver& solver, const Monitor& monitor,
   std::vector<Vector3>& displacements);
 }

@@ -3,8 +3,7 @@
 /**
  * @file SampledErrorCost.h
  * @brief The cost of the last collapses of Balanced and Accurate, and what their flips and moves
- * reduce: how distances in
- *        both directions, measured at samples, add up to one error.
+ * reduce: how distances in both directions, measured at samples, add up to one error.
  *
  *     cost(collapse) = error of the triangles it changes after it - error before it
  *

@@ -3,8 +3,7 @@
 /**
  * @file ShapePenalty.h
  * @brief What the shape of a triangle adds to its error: of edits that leave about the same
- * distances, the one with the better
- *        triangles is made.
+ * distances, the one with the better triangles is made.
  *
  *     penalty = weight r^2,   r = 1 / (q + 0.02),   q = 4 sqrt(3) area / sum of squared sides
  *

@@ -52,8 +52,8 @@ public:
   /// @param clean Must live as long as this.
   Editor(const CleanSurface& clean, const EditorSettings& settings);
   /// @param mesh Made of the surface.
-  /// @param monitor If it requests a stop, error bound, guards, constraints and
-  /// feature curves are not set up, and no edit may follow.
+  /// @param monitor If it requests a stop, error bound, guards, constraints and feature curves are
+  /// not set up, and no edit may follow.
   Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
     const Monitor& monitor = {});
   Editor(CleanSurface&&, const EditorSettings&) = delete;

@@ -3,8 +3,7 @@
 /**
  * @file PatchRules.h
  * @brief The rules of edits where manifold patches meet: none joins two patches along an edge that
- * they did not have in common, or removes
- * the last face at a stationary end of open lines.
+ * they did not have in common, or removes the last face at a stationary end of open lines.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_PatchRules_h
 #define BoneDecimate_Core_Decimate_Edit_PatchRules_h

@@ -89,8 +89,7 @@ struct Kernels
   RingQuadric (*ExchangePlanes)(
     const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea);
   /// Squared distances to points of the triangles that are nearest but for rounding, mm^2: too
-  /// small by at most the rounding
-  /// of one subtraction.  @param squared Size for each batch.
+  /// small by at most the rounding of one subtraction.  @param squared Size for each batch.
   void (*ReachTriangles)(
     const TriangleBatch* batches, int count, const double* point, double* squared);
 };

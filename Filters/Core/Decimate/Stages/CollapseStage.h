@@ -3,8 +3,7 @@
 /**
  * @file CollapseStage.h
  * @brief The first stage of every mode: collapses edges by the schedule of the mode, feature curves
- * before the faces
- *        beside them (FeatureCurveStages.h).
+ * before the faces beside them (FeatureCurveStages.h).
  *
  *     VertexQueue    ThesisCollapse, down to the targets
  *     BucketSweep    BucketSweep, down to the targets or, where a refine stage follows, to a few

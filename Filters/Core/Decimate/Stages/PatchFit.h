@@ -14,8 +14,8 @@
  *     all faces within the bound:   found
  *     a sweep gains too little:     given up
  *
- * The mesh does not change. What is found is proposed as one change (Editor::Try), which
- * is proved as a whole.
+ * The mesh does not change. What is found is proposed as one change (Editor::Try), which is proved
+ * as a whole.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_PatchFit_h
 #define BoneDecimate_Core_Decimate_Stages_PatchFit_h

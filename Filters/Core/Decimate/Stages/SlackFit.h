@@ -54,8 +54,8 @@ public:
   /// The next face of the fan, counter-clockwise; the fan must close.
   void AddFace(const Vector3& second, const Vector3& third);
   /// The samples of a face of the mesh. Those that are farther from it than their limit do not
-  /// count: the mesh is proved, so
-  /// they belong to another face.  @param slot The face of the fan where their search starts.
+  /// count: the mesh is proved, so they belong to another face.  @param slot The face of the fan
+  /// where their search starts.
   void AddSamples(FaceId face, std::size_t slot);
 
   /// What an evaluation reads: searches on the original are most of its time.
@@ -69,8 +69,7 @@ public:
   void AddMember(const Member& member) { this->Gathered.push_back(member); }
   /// With the vertex at x.
   /// @param hint An original triangle near x.
-  /// @param enough An error at which the evaluation ends; the
-  /// value is infinite then.
+  /// @param enough An error at which the evaluation ends; the value is infinite then.
   Value Evaluate(
     const Vector3& x, Index hint, double enough = std::numeric_limits<double>::infinity());
   /// Error of two faces at x, which have the edge from x to the second corner of the last one in

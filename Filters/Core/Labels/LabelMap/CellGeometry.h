@@ -7,8 +7,8 @@
  * Bits 0, 1 and 2 of a corner are its x, y and z. Edges 0-3 run along x, 4-7 along y, 8-11 along z.
  * Faces 0 and 1 are perpendicular to x, 2 and 3 to y, 4 and 5 to z, the lower one first.
  *
- * A surface in a cell has these points: 0-11 the middle of an edge, 12-17 a point on a
- * face, from 18 on points inside.
+ * A surface in a cell has these points: 0-11 the middle of an edge, 12-17 a point on a face, from
+ * 18 on points inside.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_CellGeometry_h
 #define BoneDecimate_Core_Labels_LabelMap_CellGeometry_h

@@ -76,8 +76,8 @@ public:
   }
 
 private:
-  /// One loop between two labels: seen from outside of the cell, the larger one
-  /// is on the left of every segment.
+  /// One loop between two labels: seen from outside of the cell, the larger one is on the left of
+  /// every segment.
   void AddPolygon()
   {
     const Segment& first = *this->Part.begin();
@@ -138,8 +138,8 @@ private:
     }
   }
 
-  /// The mean of the points on faces; with one of them that of the segments,
-  /// because it must not lie on a face.
+  /// The mean of the points on faces; with one of them that of the segments, because it must not
+  /// lie on a face.
   Vector3 Center() const
   {
     Vector3 sum = Vector3::Zero();

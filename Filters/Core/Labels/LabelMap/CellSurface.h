@@ -22,8 +22,8 @@
  *                                               between these points in common
  *     else                                      a cone to the mean of the points on faces
  *
- * Polygons get no diagonal in a face of the cell, where the
- * neighboring cell might have the same one.
+ * Polygons get no diagonal in a face of the cell, where the neighboring cell might have the same
+ * one.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_CellSurface_h
 #define BoneDecimate_Core_Labels_LabelMap_CellSurface_h
@@ -69,8 +69,8 @@ public:
   }
 
 private:
-  // Four segments on each of six faces have at most one triangle each, and each inner
-  // point needs a face of its own.
+  // Four segments on each of six faces have at most one triangle each, and each inner point needs a
+  // face of its own.
   std::array<CellTriangle, 24> Triangles = {};
   std::array<Vector3, FirstInnerPoint + NumberOfCellFaces> Positions;
   std::size_t Size = 0;
@@ -88,9 +88,9 @@ inline bool HasFacePoint(Index a, Index b, Index c, Index d)
 void BuildCellSurface(const CellLabels& labels, CellSurface& surface);
 
 /**
- * The surfaces of cells of two labels, made by BuildCellSurface: bit c of the index is
- * set if corner c has the larger rank. The labels of their triangles are 0 for the
- * smaller rank and 1 for the larger.
+ * The surfaces of cells of two labels, made by BuildCellSurface: bit c of the index is set if
+ * corner c has the larger rank. The labels of their triangles are 0 for the smaller rank and 1 for
+ * the larger.
  */
 const std::array<CellSurface, 256>& TwoLabelSurfaces();
 }

@@ -15,8 +15,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// The labels of a map but the background, ascending: the label of
-/// rank r is the one before index r.
+/// The labels of a map but the background, ascending: the label of rank r is the one before index
+/// r.
 std::vector<std::int64_t> LabelsOf(const LabelImage& image, std::int64_t background)
 {
   std::vector<std::int64_t> labels = FindLabelValues(image, 0, {}).Values;
@@ -270,8 +270,8 @@ private:
       });
   }
 
-  /// In rounds: islands that touch others alone get the labels that these got in the
-  /// round before, or in the end none.
+  /// In rounds: islands that touch others alone get the labels that these got in the round before,
+  /// or in the end none.
   void GiveLabels()
   {
     for (bool goesOn = true; goesOn;)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelPieces.h
- * @brief Small islands and cavities of the segments of a label map, and the voxels that
- * get another label without them.
+ * @brief Small islands and cavities of the segments of a label map, and the voxels that get another
+ * label without them.
  *
  *     island   a piece of a segment, connected by faces of voxels, other
  *              than the largest of the segment

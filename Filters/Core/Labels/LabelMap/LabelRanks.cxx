@@ -152,8 +152,8 @@ Index LabelRanks::Find(std::int64_t value) const
 template <typename Scalar>
 void LabelRanks::ConvertValues(const Scalar* values, std::size_t count, Index* ranks) const
 {
-  // The conversion to int64 maps values beyond it to negative ones, which no
-  // label of an unsigned map equals.
+  // The conversion to int64 maps values beyond it to negative ones, which no label of an unsigned
+  // map equals.
   const auto least = static_cast<std::uint64_t>(this->Least);
   const bool isUnsigned = !std::is_signed_v<Scalar>;
   if (!this->Table.empty() && !(isUnsigned && this->Least < 0))

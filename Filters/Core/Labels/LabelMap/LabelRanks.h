@@ -28,8 +28,8 @@ LabelValues FindLabelValues(const LabelImage& image, int threads, const Monitor&
 class LabelRanks
 {
 public:
-  /// @param labels ascending, each once, without the background. All
-  /// other values count as background.
+  /// @param labels ascending, each once, without the background. All other values count as
+  /// background.
   explicit LabelRanks(std::vector<std::int64_t> labels);
 
   /// Writes the ranks of consecutive voxels.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelRuns.h
- * @brief A label map as runs of equal labels along x, which neighbors they
- * have, and which are connected.
+ * @brief A label map as runs of equal labels along x, which neighbors they have, and which are
+ * connected.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_LabelRuns_h
 #define BoneDecimate_Core_Labels_LabelMap_LabelRuns_h
@@ -39,8 +39,8 @@ public:
     return static_cast<std::size_t>(run.End - run.Begin);
   }
 
-  /// In voxels as thick as the grid's spacing: their number where layers
-  /// have no positions of their own.
+  /// In voxels as thick as the grid's spacing: their number where layers have no positions of their
+  /// own.
   double Amount(const LabelRun& run) const
   {
     return static_cast<double>(Length(run)) *
@@ -64,8 +64,8 @@ public:
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
 private:
-  /// Calls visit(a, b) for runs of two rows that overlap, or are at
-  /// most reach voxels apart along x.
+  /// Calls visit(a, b) for runs of two rows that overlap, or are at most reach voxels apart along
+  /// x.
   template <typename Visit>
   void VisitRows(std::size_t rowA, std::size_t rowB, Index reach, const Visit& visit) const
   {

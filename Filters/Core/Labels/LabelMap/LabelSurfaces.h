@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelSurfaces.h
- * @brief Extracts the surfaces of all labels of a label map as one complex: a wall
- * between two labels is there once.
+ * @brief Extracts the surfaces of all labels of a label map as one complex: a wall between two
+ * labels is there once.
  *
  * Marching cubes for several labels (CellSurface.h). The points are the middle of each grid
  * edge whose ends have different labels, a point on each cell's face on which three or four

@@ -25,9 +25,9 @@ bool HasFaceZ(const CellLabels& l)
 }
 
 /**
- * From the center of a face with the labels a to d around it to the mean of the middles
- * of its edges with different ends. If one of the four edges has equal ends, that is a
- * third of the way away from it.
+ * From the center of a face with the labels a to d around it to the mean of the middles of its
+ * edges with different ends. If one of the four edges has equal ends, that is a third of the way
+ * away from it.
  */
 std::array<double, 2> OffsetOnFace(Index a, Index b, Index c, Index d)
 {

@@ -5,8 +5,8 @@
  * @brief Triangulates a closed loop of points of a cell by dynamic programming, without a
  * diagonal in a face of the cell.
  *
- * G. T. Klincsek, Minimal triangulations of polygonal domains, Annals
- * of Discrete Mathematics 9, 1980.
+ * G. T. Klincsek, Minimal triangulations of polygonal domains, Annals of Discrete Mathematics 9,
+ * 1980.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_LoopTriangulation_h
 #define BoneDecimate_Core_Labels_LabelMap_LoopTriangulation_h
@@ -38,8 +38,8 @@ enum class Diagonals
   Shortest ///< Polygons of one cell do not intersect.
 };
 
-/// Adds the triangles of the loop to the surface. The loop is
-/// counter-clockwise seen from the second label.
+/// Adds the triangles of the loop to the surface. The loop is counter-clockwise seen from the
+/// second label.
 void TriangulateLoop(
   const CellLoop& loop, Index from, Index to, Diagonals best, CellSurface& surface);
 }

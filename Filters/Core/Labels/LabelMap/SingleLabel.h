@@ -24,8 +24,8 @@ struct SingleLabelSurface
 };
 
 /**
- * The triangles between the label and any other one, in their order; points in
- * order of their first triangle.
+ * The triangles between the label and any other one, in their order; points in order of their first
+ * triangle.
  *
  * @param label Index into LabelMapSource::Values.
  * @param labels One for each triangle of the surface.

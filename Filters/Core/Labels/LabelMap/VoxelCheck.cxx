@@ -160,8 +160,8 @@ struct Comparison
   bool IsOpen;
   const VoxelCheckSettings& Settings;
 
-  /// @param makeReference Gives a worker's functions begin(z) and row(y, z,
-  /// labels); None: no triangle is crossed.
+  /// @param makeReference Gives a worker's functions begin(z) and row(y, z, labels); None: no
+  /// triangle is crossed.
   template <typename MakeReference>
   VoxelChanges Run(const MakeReference& makeReference, const Monitor& monitor) const
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelCheck.h
- * @brief Counts the voxels whose label a surface changes: compared with the
- * label map, or with another surface.
+ * @brief Counts the voxels whose label a surface changes: compared with the label map, or with
+ * another surface.
  *
  * The surface is voxelized (VoxelRows.h) with exact ties. Nothing here knows how the surface was
  * made; extraction, smoothing and VoxelGuard have no code in common with it. Open surfaces have no
@@ -59,8 +59,8 @@ struct VoxelCheckSettings
 VoxelChanges CompareVoxels(const LabeledSurface& reference, const LabeledSurface& result,
   const VoxelCheckSettings& settings, const Monitor& monitor = {});
 
-/// Compares the voxels of the image, and those outside of it that the surface
-/// touches, which are background.
+/// Compares the voxels of the image, and those outside of it that the surface touches, which are
+/// background.
 /// @param image Its grid is used, not that of the settings.
 /// @param values The values of the labels by index, the background last; labels that are not listed
 /// count as background. Empty: all labels but 0 have index 0.

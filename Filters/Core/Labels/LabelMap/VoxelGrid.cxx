@@ -113,8 +113,8 @@ double VoxelGrid::LayerAt(double steps) const
 }
 
 //------------------------------------------------------------------------------
-/// From a guess to the layer, by the heights themselves: no rounding
-/// decides otherwise than StepsOf().
+/// From a guess to the layer, by the heights themselves: no rounding decides otherwise than
+/// StepsOf().
 std::int64_t VoxelGrid::FirstLayerAtOrAbove(double steps) const
 {
   auto layer = static_cast<std::int64_t>(std::ceil(this->LayerAt(steps)));

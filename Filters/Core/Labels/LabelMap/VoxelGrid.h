@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelGrid.h
- * @brief The grid of voxel centers of an image, and what is known of a surface that
- * was extracted from its labels.
+ * @brief The grid of voxel centers of an image, and what is known of a surface that was extracted
+ * from its labels.
  *
  * Positions are either in millimeters or in voxels: voxel centers have integer coordinates there.
  */
@@ -27,17 +27,17 @@ namespace bonedecimate
  *     s(k)  = k, or Layers[k] / Spacing[2] where layers have positions of their own; linear between
  *           two layers and beyond the ends
  *
- * (i, j, s) are the steps of a position. They are linear in mm, so triangles are flat
- * there, which they are not in voxels where the distance of layers changes: predicates
- * and displacements work in steps.
+ * (i, j, s) are the steps of a position. They are linear in mm, so triangles are flat there, which
+ * they are not in voxels where the distance of layers changes: predicates and displacements work in
+ * steps.
  */
 struct VoxelGrid
 {
   Vector3 Origin = Vector3::Zero(); ///< mm, the center of voxel 0, 0, 0.
   /// mm, positive; with Layers the third is the least distance of two.
   Vector3 Spacing = Vector3::Ones();
-  /// Columns: unit vectors of the axes. Orthogonal unless the gantry was
-  /// tilted, which shears the grid.
+  /// Columns: unit vectors of the axes. Orthogonal unless the gantry was tilted, which shears the
+  /// grid.
   Eigen::Matrix3d Direction = Eigen::Matrix3d::Identity();
   std::array<Index, 3> Dimensions = { 0, 0, 0 }; ///< Number of voxels; 0: not known.
   /// mm along the third axis, of each layer from the first one, ascending.
@@ -151,8 +151,8 @@ using BoundaryLabels = std::array<Index, 2>;
 struct LabelMapSource
 {
   VoxelGrid Grid;
-  /// The labels of the image, ascending, and at the end the background,
-  /// which may be less than they are.
+  /// The labels of the image, ascending, and at the end the background, which may be less than they
+  /// are.
   std::vector<std::int64_t> Values;
   std::vector<BoundaryLabels> OfTriangle; ///< Empty: one label.
   std::vector<GridPoint> OfPoint;         ///< Where each point was extracted. Empty: not known.

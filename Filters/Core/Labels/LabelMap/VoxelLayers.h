@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelLayers.h
- * @brief Layers of a label map as ranks, and a loop over the voxels in two
- * layers at which labels differ.
+ * @brief Layers of a label map as ranks, and a loop over the voxels in two layers at which labels
+ * differ.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_VoxelLayers_h
 #define BoneDecimate_Core_Labels_LabelMap_VoxelLayers_h
@@ -53,8 +53,8 @@ private:
   std::array<Index, 3> Size;
 };
 
-/// A voxel and the labels of the cell of which it is the least corner; at the end
-/// of an axis, labels are repeated.
+/// A voxel and the labels of the cell of which it is the least corner; at the end of an axis,
+/// labels are repeated.
 struct VoxelVisit
 {
   std::size_t Voxel; ///< In its layer.
@@ -64,8 +64,8 @@ struct VoxelVisit
   CellLabels Labels;
 };
 
-/// Calls visit(const VoxelVisit&) in order of the voxels of the lower layer,
-/// for those with different labels.
+/// Calls visit(const VoxelVisit&) in order of the voxels of the lower layer, for those with
+/// different labels.
 template <typename Visit>
 class DifferentVoxels
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelRows.h
- * @brief Voxelizes a surface with labels on both sides, row by row
- * along the first axis of the grid.
+ * @brief Voxelizes a surface with labels on both sides, row by row along the first axis of the
+ * grid.
  *
  *     points in steps of the grid
  *     for each slice:    the triangles that its plane may meet

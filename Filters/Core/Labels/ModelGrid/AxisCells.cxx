@@ -134,8 +134,8 @@ double RoundingsOf(const Line& line, const std::vector<Index>& changes)
   return isConsistent ? ConsistentTies : std::max(roundings, ConsistentTies);
 }
 
-/// Layers before which there is a boundary. A boundary at the center of a layer is before
-/// or behind it, wherever labels change.
+/// Layers before which there is a boundary. A boundary at the center of a layer is before or behind
+/// it, wherever labels change.
 std::vector<bool> BoundaryPlanes(const Line& line, const std::vector<Index>& changes, Index layers)
 {
   std::vector<bool> isBoundary(static_cast<std::size_t>(layers), false);

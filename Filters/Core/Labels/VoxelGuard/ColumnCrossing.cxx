@@ -34,8 +34,8 @@ private:
   std::size_t R, S, T;
 };
 
-/// On which side of the edge from a to b the displaced column through p lies; 0 only
-/// if the edge is along the column.
+/// On which side of the edge from a to b the displaced column through p lies; 0 only if the edge is
+/// along the column.
 int SideOfEdge(const FixedPoint& a, const FixedPoint& b, const FixedPoint& p)
 {
   const std::int64_t ds = b[1] - a[1];

@@ -4,8 +4,8 @@
  * @file ColumnCrossing.h
  * @brief Where a column of voxel centers crosses a triangle, exactly.
  *
- * Along axis r, with the others s = r + 1 and t = r + 2 in cyclic order, all
- * voxel centers are displaced by
+ * Along axis r, with the others s = r + 1 and t = r + 2 in cyclic order, all voxel centers are
+ * displaced by
  *
  *     (e^3, e, e^2) in (r, s, t)          0 < e, as small as needed
  *

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FixedPoint.h
- * @brief Steps of a grid (VoxelGrid.h) as integers of 2^-30 step: voxel centers are
- * exact, and sums and differences are.
+ * @brief Steps of a grid (VoxelGrid.h) as integers of 2^-30 step: voxel centers are exact, and sums
+ * and differences are.
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_FixedPoint_h
 #define BoneDecimate_Core_Labels_VoxelGuard_FixedPoint_h

@@ -90,8 +90,8 @@ FixedTriangle VoxelGuard::Convert(const std::array<Vector3, 3>& corners) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether the boundary of the surface changes. Where manifold patches meet,
-/// their edges cancel label by label.
+/// Whether the boundary of the surface changes. Where manifold patches meet, their edges cancel
+/// label by label.
 bool VoxelGuard::IsOpen(const HalfEdgeMesh& mesh, const SurfaceChange& change) const
 {
   if (change.BoundaryStays || change.OldBoundary.empty())

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelGuard.h
- * @brief Rejects edits that let a voxel center change sides: voxelized again,
- * every voxel has the label it had.
+ * @brief Rejects edits that let a voxel center change sides: voxelized again, every voxel has the
+ * label it had.
  *
  *     Check(edit):   positions as they will be written, in voxels                   FixedPoint.h
  *                    no voxel center lies between the old and the new triangles
@@ -49,8 +49,8 @@ public:
   Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
 
-  /// Whether checking before the error bound saves time: small edits rarely
-  /// let a voxel center change sides.
+  /// Whether checking before the error bound saves time: small edits rarely let a voxel center
+  /// change sides.
   /// @param error mm, of the bound.
   static bool ChecksBeforeBound(const VoxelGrid& grid, double error);
 

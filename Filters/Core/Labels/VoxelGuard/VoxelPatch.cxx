@@ -12,8 +12,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Voxel centers near a triangle, at most one on each line along the axis
-/// that is most nearly its normal.
+/// Voxel centers near a triangle, at most one on each line along the axis that is most nearly its
+/// normal.
 class CentersNear
 {
 public:
@@ -210,8 +210,8 @@ bool VoxelPatch::KeepsLabels(bool isOpen)
 }
 
 //------------------------------------------------------------------------------
-/// The displacement of voxel centers is not its own mirror image, nor are
-/// layers with positions of their own.
+/// The displacement of voxel centers is not its own mirror image, nor are layers with positions of
+/// their own.
 void VoxelPatch::Mirror(std::size_t axis)
 {
   this->IsMirrored = this->IsMirrored != (axis == 2);

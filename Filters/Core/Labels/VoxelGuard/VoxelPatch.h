@@ -10,9 +10,9 @@
  * counts +1 for the first of its labels and -1 for the second.
  *
  * If the rim differs, the surface is open there. Then all three axes are checked, with the
- * displacements of ColumnCrossing.h into all octants, since a boundary may lie in a plane
- * of voxel centers. The new rim must not come near an edge between voxel centers that the
- * old one is not near (RimLines.h).
+ * displacements of ColumnCrossing.h into all octants, since a boundary may lie in a plane of voxel
+ * centers. The new rim must not come near an edge between voxel centers that the old one is not
+ * near (RimLines.h).
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_VoxelPatch_h
 #define BoneDecimate_Core_Labels_VoxelGuard_VoxelPatch_h
@@ -41,16 +41,16 @@ public:
   void AddOldRim(const FixedPoint& from, const FixedPoint& to, double margin);
   void AddNewRim(const FixedPoint& from, const FixedPoint& to, double margin);
 
-  /// Whether every voxel center keeps its labels. False, too, if the
-  /// patches are larger than MaxPatch.
+  /// Whether every voxel center keeps its labels. False, too, if the patches are larger than
+  /// MaxPatch.
   bool KeepsLabels(bool isOpen);
 
   /// Whether a new triangle is nearer to a voxel center than that.
   /// @param margin Voxels, less than 0.1.
   bool IsNearCenter(double margin) const;
 
-  /// Whether the new rim is nearer than its margin to an edge of the
-  /// grid that the old one is not near.
+  /// Whether the new rim is nearer than its margin to an edge of the grid that the old one is not
+  /// near.
   bool IsRimNearOtherEdges() const;
 
 private:

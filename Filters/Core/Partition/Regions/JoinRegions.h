@@ -8,8 +8,8 @@
  *     points       those of unchanged triangles in the order of the input,
  *                  then the new ones of each region
  *
- * CheckJoined() compares the result with the input by coordinates alone, so that
- * an error of joining cannot hide.
+ * CheckJoined() compares the result with the input by coordinates alone, so that an error of
+ * joining cannot hide.
  */
 #ifndef BoneDecimate_Core_Partition_Regions_JoinRegions_h
 #define BoneDecimate_Core_Partition_Regions_JoinRegions_h

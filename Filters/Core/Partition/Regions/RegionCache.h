@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RegionCache.h
- * @brief What runs over regions of the same surface keep: the prepared
- * surface and the results of regions.
+ * @brief What runs over regions of the same surface keep: the prepared surface and the results of
+ * regions.
  *
  *     surface    compared with the input of each run, bit for bit; another one replaces everything
  *     results    found again by triangles, tolerances and options; the ones used last, with at most
@@ -24,8 +24,8 @@
 
 namespace bonedecimate
 {
-/// What a run over regions needs of the whole surface. Follows from
-/// the input and MergePoints alone.
+/// What a run over regions needs of the whole surface. Follows from the input and MergePoints
+/// alone.
 struct WholeSurface
 {
   CleanSurface Cleaned; ///< Also the counts of points that are not manifold.
@@ -42,13 +42,13 @@ WholeSurface PrepareWhole(const Surface& input, bool mergePoints, int threads);
 class RegionCache
 {
 public:
-  /// Before and after a run, by which alone the functions below may be
-  /// called. False if another run uses it.
+  /// Before and after a run, by which alone the functions below may be called. False if another run
+  /// uses it.
   bool BeginRun();
   void EndRun();
 
-  /// Prepares the surface, unless it was the last one. Results for other
-  /// labels (null: none) are dropped.
+  /// Prepares the surface, unless it was the last one. Results for other labels (null: none) are
+  /// dropped.
   const WholeSurface& Whole(
     const Surface& input, const Labels* labels, bool mergePoints, int threads);
 

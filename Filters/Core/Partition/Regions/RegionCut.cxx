@@ -86,8 +86,8 @@ void MergeNear(std::vector<Region>& regions, double reach)
   }
 }
 
-/// Merges those with points that are neighbors: the surroundings of one
-/// would have triangles of the other.
+/// Merges those with points that are neighbors: the surroundings of one would have triangles of the
+/// other.
 void MergeNeighbors(const Surface& clean, std::vector<Region>& regions)
 {
   std::vector<Index> regionOf(clean.Points.size(), None);

@@ -19,8 +19,8 @@
 
 namespace bonedecimate
 {
-/// @param tolerances mm, of each point of the cleaned surface; triangles with one of 0
-/// do not change.  @param reach mm
+/// @param tolerances mm, of each point of the cleaned surface; triangles with one of 0 do not
+/// change.  @param reach mm
 std::vector<Region> FindRegions(
   const Surface& clean, const std::vector<double>& tolerances, double reach, int threads);
 

@@ -43,8 +43,8 @@ Surface NewTriangles(const RegionPart& part)
   return renewed;
 }
 
-/// The same limit of all points of the region is one for the surface, which is
-/// much faster to certify than a map.
+/// The same limit of all points of the region is one for the surface, which is much faster to
+/// certify than a map.
 CertificateOptions SurfaceOptions(const Options& options, const RegionPart& part)
 {
   const auto limitOf = [&](double tolerance)

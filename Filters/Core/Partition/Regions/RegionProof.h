@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RegionProof.h
- * @brief The certificate of a part: of the triangles that changed and those that
- * replace them, and nothing else.
+ * @brief The certificate of a part: of the triangles that changed and those that replace them, and
+ * nothing else.
  *
  *     Certify(changed, new)                  surfaces; stronger than with the unchanged triangles
  *     Certify(part, result)                  boundaries, where the whole surface has some
@@ -17,8 +17,8 @@
 
 namespace bonedecimate
 {
-/// Fills in the proof in the report of the part's result and the bounds at
-/// points. After an abort there is none.
+/// Fills in the proof in the report of the part's result and the bounds at points. After an abort
+/// there is none.
 /// @param part Its unchanged triangles are matched.
 /// @param hasBoundaries Whether the whole surface has.
 void ProvePart(

@@ -109,8 +109,8 @@ void CombineMeasured(const RegionParts& parts, Report& report)
   report.BoundariesMeasured = report.Input.BoundaryEdges > 0 && report.Requested.MergePoints;
 }
 
-/// The largest bounds. Beyond the reach of a part there is more of the surface, so
-/// that a lower bound ends there.
+/// The largest bounds. Beyond the reach of a part there is more of the surface, so that a lower
+/// bound ends there.
 ProvedDistance MaxBounds(
   const RegionParts& parts, const std::function<ProvedDistance(const Report&)>& boundsOf)
 {
@@ -156,8 +156,8 @@ bool ArePartsValid(const WholeSurface& whole, const RegionParts& parts,
       {
         const ErrorProof& proof = part->Result.Report.Proof;
         const double surface = std::max(proof.InputToOutput.Upper, proof.OutputToInput.Upper);
-        // Where the part was cut it has boundaries that the surface lacks: none
-        // of them is near enough to count.
+        // Where the part was cut it has boundaries that the surface lacks: none of them is near
+        // enough to count.
         return proof.WasMade && proof.Status == ProofStatus::Proved &&
           proof.Upper() + surface < part->Covered.Reach;
       });

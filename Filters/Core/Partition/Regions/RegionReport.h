@@ -15,13 +15,13 @@
 
 namespace bonedecimate
 {
-/// Whether the parts' proofs are one of the whole, and each component keeps its
-/// sign and a quarter of its volume.
+/// Whether the parts' proofs are one of the whole, and each component keeps its sign and a quarter
+/// of its volume.
 bool ArePartsValid(const WholeSurface& whole, const RegionParts& parts,
   const std::map<Index, ExtentChange>& changes, bool wantsProof);
 
-/// Fills in statistics, edits, distances and proof.  @param result Its surface
-/// and point distances are filled.
+/// Fills in statistics, edits, distances and proof.  @param result Its surface and point distances
+/// are filled.
 void CombineReports(const WholeSurface& whole, const RegionParts& parts,
   const std::map<Index, ExtentChange>& changes, bool wantsProof, Result& result);
 

@@ -36,8 +36,8 @@ std::vector<Request> RequestsOf(const RunInputs& inputs)
     { "edge lengths of points", { Need::GradedLengths }, inputs.EdgeLengths != nullptr } };
 }
 
-/// Whether the largest error or a tolerance limits every point, and no
-/// request needs the whole surface.
+/// Whether the largest error or a tolerance limits every point, and no request needs the whole
+/// surface.
 bool CanRunInRegions(const Options& options, const RunInputs& inputs)
 {
   const std::vector<double>& tolerances = *inputs.Tolerances;
@@ -167,8 +167,8 @@ private:
     return options;
   }
 
-  /// Fills in the parts whose results are kept, and cuts the others. False if they are
-  /// more than half of the surface.
+  /// Fills in the parts whose results are kept, and cuts the others. False if they are more than
+  /// half of the surface.
   bool CutRegions()
   {
     const CleanSurface& clean = this->Prepared->Cleaned;
@@ -209,8 +209,8 @@ private:
     }
   }
 
-  /// False if the result of a part cannot be used. After an abort the
-  /// other regions stay as they are.
+  /// False if the result of a part cannot be used. After an abort the other regions stay as they
+  /// are.
   bool RunParts()
   {
     this->Progress.Stage(0.0, PreparedAt)(1.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RegionRun.h
- * @brief A run in which most of the surface may not change reads the rest
- * of it only near what may change.
+ * @brief A run in which most of the surface may not change reads the rest of it only near what may
+ * change.
  *
  *     prepared = RegionCache::Whole(input)     cleaned, counted; once for each surface
  *     regions  = FindRegions(tolerances)       triangles without a corner of tolerance 0

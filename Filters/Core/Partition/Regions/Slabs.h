@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Slabs.h
- * @brief A convex bound of points: between 13 pairs of parallel planes, normal to the
- * axes and the diagonals of a cube.
+ * @brief A convex bound of points: between 13 pairs of parallel planes, normal to the axes and the
+ * diagonals of a cube.
  *
  * J. T. Klosowski, M. Held, J. S. B. Mitchell, H. Sowizral, K. Zikan, Efficient collision detection
  * using bounding volume hierarchies of k-DOPs, 1998.

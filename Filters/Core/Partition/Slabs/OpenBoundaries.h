@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OpenBoundaries.h
- * @brief The open boundaries of a surface that arrives in slabs, and the
- * certificate of their distance.
+ * @brief The open boundaries of a surface that arrives in slabs, and the certificate of their
+ * distance.
  *
  * Edges of one triangle are boundaries. Those in a plane between two slabs count the
  * triangles of both. Boundaries are few compared with triangles, so all of them are kept and

@@ -28,8 +28,8 @@ namespace
 /// Points so near to a plane, as a fraction of their largest coordinate, are in it:
 /// single precision is that coarse.
 constexpr double PlaneSlack = 1e-6;
-/// How far below its plane the next run goes on, in mean edges of the result (over
-/// its area) and in largest errors.
+/// How far below its plane the next run goes on, in mean edges of the result (over its area) and in
+/// largest errors.
 constexpr double EdgesOfZone = 3.0;
 constexpr double ErrorsOfZone = 2.0;
 /// Below the zone, where boundary edges are told from edges of a cut: less than ZoneMargin().

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlabRun.h
- * @brief Decimates a surface that arrives in slabs between parallel planes and
- * is never in memory as a whole.
+ * @brief Decimates a surface that arrives in slabs between parallel planes and is never in memory
+ * as a whole.
  *
  *     slab      all triangles between two planes; points in a plane are
  *               those of both slabs, bit for bit
@@ -31,8 +31,8 @@ namespace bonedecimate
 struct SlabAxis
 {
   Vector3 Direction = Vector3::UnitZ(); ///< Unit vector from each slab to the next.
-  /// mm along the direction: below all points. Positions are the scalar
-  /// product of a point and the direction.
+  /// mm along the direction: below all points. Positions are the scalar product of a point and the
+  /// direction.
   double Bottom = 0.0;
 };
 
@@ -41,8 +41,8 @@ struct Slab
   /// mm; points in the planes have the same coordinates in both slabs.
   bonedecimate::Surface Surface;
   double Top = 0.0; ///< mm along the axis, of its upper plane; above that of the slab before.
-  /// Labels of its triangles, as in LabelMapSource::OfTriangle; empty in
-  /// all slabs: there is one label.
+  /// Labels of its triangles, as in LabelMapSource::OfTriangle; empty in all slabs: there is one
+  /// label.
   std::vector<bonedecimate::BoundaryLabels> BoundaryLabels;
 };
 

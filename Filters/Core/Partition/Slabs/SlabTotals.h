@@ -27,8 +27,8 @@ double MeanEdge(const Surface& surface);
 class SlabTotals
 {
 public:
-  /// @param clean The slab, cleaned.  @param isInLower,isInUpper Of each point,
-  /// whether it is in a plane of the slab.
+  /// @param clean The slab, cleaned.  @param isInLower,isInUpper Of each point, whether it is in a
+  /// plane of the slab.
   void Add(const Slab& slab, const CleanSurface& clean, const std::vector<char>& isInLower,
     const std::vector<char>& isInUpper, int threads);
 

@@ -28,8 +28,8 @@
 
 namespace bonedecimate
 {
-/// mm, around the zone: the intersection guard looks four largest errors away, and both
-/// sides of a gap may move by one.
+/// mm, around the zone: the intersection guard looks four largest errors away, and both sides of a
+/// gap may move by one.
 double ZoneReach(double largestError);
 double ZoneMargin(double largestError); ///< mm
 

@@ -3,8 +3,7 @@
 /**
  * @file Certificate.h
  * @brief Proved bounds of the two-sided Hausdorff distance of two surfaces and of their boundaries,
- * compared with a
- *        tolerance. Reads two surfaces and nothing else.
+ * compared with a tolerance. Reads two surfaces and nothing else.
  *
  *     reference, result    exact local frame, nothing merged, nothing dropped
  *     boundaries           edges of one triangle, after points of equal coordinates are merged

@@ -3,8 +3,7 @@
 /**
  * @file EdgeSides.h
  * @brief The neighbor across each side of a triangle, and the boundary edges, which have exactly
- * one triangle. Points of
- *        equal coordinates are merged.
+ * one triangle. Points of equal coordinates are merged.
  *
  * Triangles that use a point twice have no edges; those of three collinear points have three.
  */

@@ -3,8 +3,7 @@
 /**
  * @file JointCover.h
  * @brief An upper bound of the distance from a triangle T, or from parts of it, to a few other
- * triangles, the candidates, that
- *        together are near all of it.
+ * triangles, the candidates, that together are near all of it.
  *
  *     piece of T:  a candidate is within the limit of all three corners:    closed; its largest
  *       distance bounds the piece

@@ -6,14 +6,14 @@
  * covers T. It needs no cuts.
  *
  *     map the plane of T to coordinates (b, c) and each point of the surface to the coordinates
- *       where a line through it, in the
- *     direction of the mean normal of the surface near the corners of T, meets that plane
+ *       where a line through it, in the direction of the mean normal of the surface near the
+ *       corners of T, meets that plane
  *     from triangles of the surface near the corners, cross every edge whose image meets T
  *         an edge that does not have exactly two triangles:                          no bound
  *     an even number of images over one position in T:                               no bound
  *     else the images cover T; the bound of each part, the overlay of T and an image, is the
- *       largest distance between a corner
- *     of the part and the point of the surface that has this image
+ *       largest distance between a corner of the part and the point of the surface that has this
+ *       image
  *
  * Proof. Every edge of the visited triangles whose image meets T belongs to two of them, so no
  * position in T is on the boundary of their chain (coefficients modulo 2), and the parity of the

@@ -3,8 +3,7 @@
 /**
  * @file SideFinder.h
  * @brief The side of a surface on which a point lies, by the pseudonormal at the nearest point: the
- * normal of a triangle,
- *        the sum of two normals at an edge, the sum weighted by angles at a corner.
+ * normal of a triangle, the sum of two normals at an edge, the sum weighted by angles at a corner.
  *
  * J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal,
  * 2005: with these, the side is correct if the surface around the nearest point is closed and

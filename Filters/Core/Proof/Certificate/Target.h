@@ -3,8 +3,7 @@
 /**
  * @file Target.h
  * @brief The set to which distances are certified. The value of a point to a simplex is its
- * distance minus the tolerance of
- *        the simplex; its value to the set is the least of these, mm.
+ * distance minus the tolerance of the simplex; its value to the set is the least of these, mm.
  *
  * The tree only finds candidates. The value to any candidate is an upper bound of the value to the
  * set. The lower bound at the maximum is computed from all simplices, without the tree.

@@ -11,9 +11,9 @@
 
 namespace bonedecimate
 {
-/// Deferred: the decision needs a part of the mesh that belongs to another worker. It
-/// is no rejection and is not counted; the schedule proposes the edit again when the
-/// parts are divided differently.
+/// Deferred: the decision needs a part of the mesh that belongs to another worker. It is no
+/// rejection and is not counted; the schedule proposes the edit again when the parts are divided
+/// differently.
 class Decision
 {
 public:

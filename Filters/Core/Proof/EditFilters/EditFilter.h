@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EditFilter.h
- * @brief Decides whether an edit is applied, after the rules of its
- * kind and before the mesh changes.
+ * @brief Decides whether an edit is applied, after the rules of its kind and before the mesh
+ * changes.
  *
  *     for each filter:   Screen    cheap
  *     for each filter:   Check     costly
@@ -67,8 +67,8 @@ public:
     return Decision::Accept();
   }
 
-  /// mm, after Check: what lies farther away from the faces that the edit changes
-  /// has no influence on the decision.
+  /// mm, after Check: what lies farther away from the faces that the edit changes has no influence
+  /// on the decision.
   virtual double Reach(const Pending& /*pending*/) const { return 0.0; }
 
   /// Whether the edit that was checked last is still accepted after others were committed
@@ -90,8 +90,8 @@ public:
   {
   }
 
-  /// Adds its part of the tallies to its own state, in an order that does not depend on
-  /// the threads; no worker is active.
+  /// Adds its part of the tallies to its own state, in an order that does not depend on the
+  /// threads; no worker is active.
   virtual void Settle(Tally* /*tallies*/, std::size_t /*count*/) {}
 };
 }

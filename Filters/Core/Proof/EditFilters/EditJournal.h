@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EditJournal.h
- * @brief Records what each collapse replaces, so that it can be undone: the last of the
- * edit filters, accepts everything.
+ * @brief Records what each collapse replaces, so that it can be undone: the last of the edit
+ * filters, accepts everything.
  *
  *     entry:      the vertices, the new position, what Editor::Undo cannot
  *                 derive, and the versions of its faces
@@ -14,10 +14,10 @@
  *     undo e:     first every later edit of one of the faces of e, then
  *                 restore the faces (Editor::Undo)
  *
- * An edit depends on the records of its faces and on the positions of their corners alone,
- * and every edit that moves a corner replaces all faces there. So the edits that are left
- * are a valid sequence of edits, in their order, and each replaces the same faces by the
- * same faces as when it was made.
+ * An edit depends on the records of its faces and on the positions of their corners alone, and
+ * every edit that moves a corner replaces all faces there. So the edits that are left are a valid
+ * sequence of edits, in their order, and each replaces the same faces by the same faces as when it
+ * was made.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_EditJournal_h
 #define BoneDecimate_Core_Proof_EditFilters_EditJournal_h

@@ -14,8 +14,8 @@ namespace
 {
 /// A closed fragment keeps at least this part of its volume.
 constexpr double MinVolumeRatio = 0.25;
-/// A vertex is edited by its own move and by flips of its edges: about
-/// three edges a vertex, and a margin.
+/// A vertex is edited by its own move and by flips of its edges: about three edges a vertex, and a
+/// margin.
 constexpr double EditsOfVertex = 8.0;
 }
 
@@ -40,8 +40,8 @@ FragmentGuard::FragmentGuard(
   }
 }
 
-/// Each about a point of its own, so that a small fragment far from
-/// the origin keeps its digits. mm^3
+/// Each about a point of its own, so that a small fragment far from the origin keeps its digits.
+/// mm^3
 std::vector<double> FragmentGuard::Measure(const HalfEdgeMesh& mesh) const
 {
   std::vector<double> volumes(this->Volumes.size(), 0.0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FragmentGuard.h
- * @brief Keeps a quarter of the volume of every closed component, so that none is
- * flattened or turned inside out.
+ * @brief Keeps a quarter of the volume of every closed component, so that none is flattened or
+ * turned inside out.
  *
  *     collapse:       rejected if the component, with what the worker has not
  *                     settled yet, would lose too much

@@ -39,8 +39,8 @@ struct JournalEntry
   static constexpr Index NumberOfGoneFaces = 2;
 };
 
-/// What a worker has recorded since it was settled last; the faces of
-/// one entry after those of another.
+/// What a worker has recorded since it was settled last; the faces of one entry after those of
+/// another.
 struct JournalPart
 {
   struct Face

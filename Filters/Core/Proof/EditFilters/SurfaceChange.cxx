@@ -88,8 +88,8 @@ void SurfaceChange::TakeNewFaces(const HalfEdgeMesh& after)
 }
 
 //------------------------------------------------------------------------------
-/// Different curves may meet in a stationary vertex. There, an edge may only
-/// replace an edge of the same curve.
+/// Different curves may meet in a stationary vertex. There, an edge may only replace an edge of the
+/// same curve.
 void SurfaceChange::AddBoundary(
   const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit)
 {

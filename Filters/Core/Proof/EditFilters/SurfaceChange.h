@@ -41,8 +41,8 @@ struct SurfaceChange
     std::array<VertexId, 2> Vertices;
     std::array<Vector3, 2> Ends;
     HalfEdgeId Replaces = None; ///< If BoundaryStays: the old half-edge at the same position.
-    /// Vertices near the ends that lie on this line alone: stationary ones
-    /// are replaced by one that is not.
+    /// Vertices near the ends that lie on this line alone: stationary ones are replaced by one that
+    /// is not.
     std::array<VertexId, 2> OnLine = {};
   };
 

@@ -12,8 +12,7 @@
  *     near(corner) = the candidates within the corner's limit and their own
  *     piece:  all three corners have a common candidate:   proved
  *             else split an edge whose ends have none where it leaves the prism over a face near
- *               its start,
- *             or the longest edge in the middle:
+ *             its start, or the longest edge in the middle:
  *                 nothing near the new corner:       too far
  *                 else prove both halves, larger pieces first
  */

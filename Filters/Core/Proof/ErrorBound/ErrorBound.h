@@ -3,8 +3,7 @@
 /**
  * @file ErrorBound.h
  * @brief No point of the original is farther than a limit from the result, and none of the result
- * from the original.
- *        The limit may differ from vertex to vertex: ErrorLimits.h.
+ * from the original. The limit may differ from vertex to vertex: ErrorLimits.h.
  *
  *     Prove(edit):   the new vertex lies within the limit of the original
  *                    every original that a changed face proved is proved again by the new faces

@@ -3,9 +3,8 @@
 /**
  * @file Piece.h
  * @brief Faces with precomputed data for pair tests, and the two rules that do not depend on gaps:
- * whether a patch that
- *        replaces another one intersects more of the faces nearby, and whether it jumps over
- *          something.
+ * whether a patch that replaces another one intersects more of the faces nearby, and whether it
+ * jumps over something.
  *
  *     more:   pairs of the patch with what is near and within it that intersect (TrianglePair.h),
  *             after against before;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceDistance.h
- * @brief Measures the distance of one surface to another at its points and at
- * samples spread evenly over its area.
+ * @brief Measures the distance of one surface to another at its points and at samples spread evenly
+ * over its area.
  *
- * Sample i of n lies in the triangle at which the cumulative area reaches (i + 1/2) / n of
- * the whole; its position in the triangle follows the R2 sequence. The same surfaces give
- * the same figures on every system.
+ * Sample i of n lies in the triangle at which the cumulative area reaches (i + 1/2) / n of the
+ * whole; its position in the triangle follows the R2 sequence. The same surfaces give the same
+ * figures on every system.
  * M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018: R2.
  */
 #ifndef BoneDecimate_Core_Proof_Measure_SurfaceDistance_h
@@ -22,8 +22,8 @@
 
 namespace bonedecimate
 {
-/// Number of samples for a surface of that many triangles: two for each, at least
-/// 200,000 and at most 1,000,000.
+/// Number of samples for a surface of that many triangles: two for each, at least 200,000 and at
+/// most 1,000,000.
 std::int64_t NumberOfSamples(std::size_t triangles);
 
 /// Distance of each point to the triangles of the tree, mm. Empty after an abort.

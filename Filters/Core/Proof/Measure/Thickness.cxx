@@ -25,8 +25,8 @@ public:
   {
   }
 
-  /// mm, from a point to the first triangle through which the line
-  /// leaves the solid; infinite: none.
+  /// mm, from a point to the first triangle through which the line leaves the solid; infinite:
+  /// none.
   double LengthFrom(const Vector3& from) const
   {
     double length = Infinity;
@@ -68,8 +68,8 @@ private:
     return { points[c[0]], points[c[1]], points[c[2]] };
   }
 
-  /// Positive where the direction leads out of the solid, negative where it leads
-  /// into it, 0 where it does neither.
+  /// Positive where the direction leads out of the solid, negative where it leads into it, 0 where
+  /// it does neither.
   double Outwards(Index triangle) const
   {
     const PartSides sides =

@@ -4,9 +4,9 @@
  * @file BackHints.h
  * @brief For each vertex of the current mesh a nearby triangle of the original surface.
  *
- * Each vertex stores the original triangle that was nearest to it in its last query. Walks
- * start there, so they are short and stay on the same side of a thin bone, which the
- * globally nearest triangle would not.
+ * Each vertex stores the original triangle that was nearest to it in its last query. Walks start
+ * there, so they are short and stay on the same side of a thin bone, which the globally nearest
+ * triangle would not.
  */
 #ifndef BoneDecimate_Core_Proof_Reference_BackHints_h
 #define BoneDecimate_Core_Proof_Reference_BackHints_h
@@ -40,8 +40,8 @@ public:
   {
     return WalkFrom(this->Source, p, this->OfVertex[vertex]);
   }
-  /// The best of the point found and of walks from the hints of other vertices, which
-  /// start nearby on the same surface.
+  /// The best of the point found and of walks from the hints of other vertices, which start nearby
+  /// on the same surface.
   /// @param squaredReach mm^2; a point within this distance is accepted without further walks.
   template <typename Vertices>
   PointOnMesh FindBetter(

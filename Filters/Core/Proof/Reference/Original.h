@@ -34,8 +34,8 @@ public:
     const CleanSurface& clean, bool recordDistances, const ReferenceMesh* reference = nullptr);
   Original(CleanSurface&&, bool) = delete;
 
-  /// Records that two vertices became one. Measures its distance if distances
-  /// are recorded and it has moved.
+  /// Records that two vertices became one. Measures its distance if distances are recorded and it
+  /// has moved.
   void Merge(VertexId keep, VertexId gone, const Vector3& position);
 
   /// Takes back the last merge into the other vertex; not where distances are recorded.
@@ -44,8 +44,8 @@ public:
   /// To be called before the first split: from then on ids of removed vertices may be reused, each
   /// for one vertex.
   void BeginSplits();
-  /// Records that the split of an edge with those ends made a vertex. Measures its
-  /// distance if distances are recorded.
+  /// Records that the split of an edge with those ends made a vertex. Measures its distance if
+  /// distances are recorded.
   void Make(VertexId made, VertexId start, VertexId end, const Vector3& position);
 
   /// Keeps the mesh before it is smoothed, and measures the distances to these positions if

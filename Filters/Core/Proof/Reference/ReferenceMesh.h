@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ReferenceMesh.h
- * @brief The original of a run that continues an earlier one: the error bound refers to
- * it, edits start from the input.
+ * @brief The original of a run that continues an earlier one: the error bound refers to it, edits
+ * start from the input.
  *
- * Both meshes have ids of their own. Where they are related, walks
- * start: only proofs say what is near.
+ * Both meshes have ids of their own. Where they are related, walks start: only proofs say what is
+ * near.
  */
 #ifndef BoneDecimate_Core_Proof_Reference_ReferenceMesh_h
 #define BoneDecimate_Core_Proof_Reference_ReferenceMesh_h

@@ -14,15 +14,15 @@ namespace bonedecimate
 {
 namespace
 {
-/// Below this reduction a triangle gets three samples inside: with fewer than about
-/// eight samples a face is overfitted.
+/// Below this reduction a triangle gets three samples inside: with fewer than about eight samples a
+/// face is overfitted.
 constexpr Index ManyTriangles = 12;
 /// Fraction of the area of a triangle that its inner samples represent;
 /// its corners represent the rest.
 constexpr double AreaRatioOfOne = 0.75; // with the corners exact for quadratic functions
 constexpr double AreaRatioOfThree = 0.9;
-/// A sample farther than that many times the root mean square may be on
-/// the wrong side of a thin part.
+/// A sample farther than that many times the root mean square may be on the wrong side of a thin
+/// part.
 constexpr double FarAway = 2.0;
 
 std::array<float, 3> Single(const Vector3& p)
@@ -56,8 +56,8 @@ Samples::Samples(
 }
 
 //------------------------------------------------------------------------------
-/// Vertices come first, then the samples inside triangles: the centroid, or three points
-/// half way from it to the corners.
+/// Vertices come first, then the samples inside triangles: the centroid, or three points half way
+/// from it to the corners.
 Vector3 Samples::PositionOf(Index id) const
 {
   if (id < this->Source.NumberOfVertexSlots())
@@ -192,8 +192,8 @@ PointOnMesh Samples::FindNear(
 }
 
 //------------------------------------------------------------------------------
-/// The best of the point found and of walks from the vertices into which
-/// neighbors or other corners were merged.
+/// The best of the point found and of walks from the vertices into which neighbors or other corners
+/// were merged.
 PointOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id,
   const PointOnMesh& found) const
 {

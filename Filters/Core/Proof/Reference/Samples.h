@@ -4,10 +4,10 @@
  * @file Samples.h
  * @brief Sample points of the original surface, assigned to the faces of the current mesh.
  *
- * Each face of the current mesh has a list of the samples nearest to it. The lists are
- * not maintained during the collapse. Afterwards each sample starts in the fan of the
- * vertex into which a corner of its triangle was merged, and walks over neighboring
- * faces while its distance decreases:
+ * Each face of the current mesh has a list of the samples nearest to it. The lists are not
+ * maintained during the collapse. Afterwards each sample starts in the fan of the vertex into which
+ * a corner of its triangle was merged, and walks over neighboring faces while its distance
+ * decreases:
  *
  *     Distribute     builds all lists after a collapse; samples that end far
  *                    away try the fans of other corners
@@ -71,8 +71,8 @@ public:
 
   Index Count() const { return static_cast<Index>(this->All.size()); }
 
-  /// Empties the list of the face and returns its first sample. The caller has to put
-  /// each sample into a list again.
+  /// Empties the list of the face and returns its first sample. The caller has to put each sample
+  /// into a list again.
   Index Take(FaceId face)
   {
     const Index first = this->Firsts[face];

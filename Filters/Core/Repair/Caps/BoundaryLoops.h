@@ -33,8 +33,8 @@ struct BoundaryLoops
   std::set<PointPair> Chords;      ///< Other edges of the surface between two points of loops.
 };
 
-/// Points of equal coordinates are one. Triangles with an id out of range or
-/// two equal corners do not count.
+/// Points of equal coordinates are one. Triangles with an id out of range or two equal corners do
+/// not count.
 BoundaryLoops FindBoundaryLoops(const Surface& surface);
 
 /**

@@ -12,8 +12,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Whether the triangles have exactly the edges of the loops as their
-/// boundary, in the same direction.
+/// Whether the triangles have exactly the edges of the loops as their boundary, in the same
+/// direction.
 bool AreBoundedBy(std::set<PointPair> boundary, const std::vector<Triangle>& triangles)
 {
   std::set<PointPair> edges;

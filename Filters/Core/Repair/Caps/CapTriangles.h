@@ -22,8 +22,8 @@ struct Contours
   Vector3 Normal; ///< Unit vector; outlines are counter-clockwise around it, holes clockwise.
 };
 
-/// Triangles between the points of contours, as vtkContourTriangulator
-/// makes them; none if it cannot.
+/// Triangles between the points of contours, as vtkContourTriangulator makes them; none if it
+/// cannot.
 using ContourTriangulator = std::function<std::vector<Triangle>(const Contours&)>;
 
 /// A connected piece with the loops that it closes.

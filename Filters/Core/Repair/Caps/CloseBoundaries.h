@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CloseBoundaries.h
- * @brief Closes open boundaries of a surface by triangles, on
- * request: no error bound includes them.
+ * @brief Closes open boundaries of a surface by triangles, on request: no error bound includes
+ * them.
  */
 #ifndef BoneDecimate_Core_Repair_Caps_CloseBoundaries_h
 #define BoneDecimate_Core_Repair_Caps_CloseBoundaries_h

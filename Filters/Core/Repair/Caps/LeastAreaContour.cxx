@@ -8,8 +8,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// mm^2, the area, and a little more for a long perimeter; infinite
-/// for three points about on a line.
+/// mm^2, the area, and a little more for a long perimeter; infinite for three points about on a
+/// line.
 double CostOf(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   constexpr double flat = 1e-6;      // of the squared perimeter

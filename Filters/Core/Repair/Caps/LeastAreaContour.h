@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LeastAreaContour.h
- * @brief Triangles of least area between the points of a contour in space; of about
- * equal ones those with short edges.
+ * @brief Triangles of least area between the points of a contour in space; of about equal ones
+ * those with short edges.
  *
  * G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron, 1995:
  * dynamic programming over the polygon.
@@ -23,8 +23,8 @@ constexpr std::size_t MaxPointsOfLeastArea = 512;
 
 /**
  * @param contour mm, in the direction of the triangles; need not lie in a plane.
- * @param isAllowed Whether a triangle may have the edge between two points that
- * are not neighbors on the contour.
+ * @param isAllowed Whether a triangle may have the edge between two points that are not neighbors
+ * on the contour.
  * @returns Two triangles fewer than the contour has points; none if no triangulation is allowed, or
  *   if the contour has fewer than 3 points or more than MaxPointsOfLeastArea.
  */

@@ -105,8 +105,8 @@ private:
       });
   }
 
-  /// The corners after merging equal points; points used only by triangles with a
-  /// repeated corner keep their ids.
+  /// The corners after merging equal points; points used only by triangles with a repeated corner
+  /// keep their ids.
   static Triangle MergedCorners(const CleanSurface& clean, const Triangle& corners)
   {
     Triangle merged = corners;

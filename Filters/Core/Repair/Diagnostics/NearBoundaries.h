@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NearBoundaries.h
- * @brief Boundary points so near to another boundary point that they
- * were most likely meant to be one.
+ * @brief Boundary points so near to another boundary point that they were most likely meant to be
+ * one.
  */
 #ifndef BoneDecimate_Core_Repair_Diagnostics_NearBoundaries_h
 #define BoneDecimate_Core_Repair_Diagnostics_NearBoundaries_h
@@ -19,14 +19,14 @@ namespace bonedecimate
 struct NearBoundaries
 {
   std::vector<Index> Points; ///< Ascending.
-  /// mm, the largest distance to the nearest such point: merging points within it welds
-  /// them all. NaN if there are none.
+  /// mm, the largest distance to the nearest such point: merging points within it welds them all.
+  /// NaN if there are none.
   double WeldingDistance = std::numeric_limits<double>::quiet_NaN();
 };
 
 /**
- * A point is reported if another boundary point that is not its neighbor is within 1 % of
- * the mean boundary edge length.
+ * A point is reported if another boundary point that is not its neighbor is within 1 % of the mean
+ * boundary edge length.
  * @param open Both ends of every open edge.
  */
 NearBoundaries FindNearBoundaries(

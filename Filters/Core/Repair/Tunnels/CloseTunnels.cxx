@@ -183,8 +183,8 @@ private:
     return this->Figures.Closed.size() > before;
   }
 
-  /// By the normals along the loop: the mean of their part towards the middle,
-  /// weighted by length and distance.
+  /// By the normals along the loop: the mean of their part towards the middle, weighted by length
+  /// and distance.
   Surrounded Surrounds(const ShortLoop& loop, const std::vector<Vector3>& normals) const
   {
     constexpr double clear = 0.25;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CloseTunnels.h
- * @brief Closes the narrow tunnels of a surface; what surrounds bone
- * instead of a tunnel is never cut.
+ * @brief Closes the narrow tunnels of a surface; what surrounds bone instead of a tunnel is never
+ * cut.
  *
  *     in rounds, until none closes a tunnel:
  *       graph      signatures of the remaining surface                     (EdgeGraph.h)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeGraph.h
- * @brief The edges of a manifold surface as a graph, with a word for each from which
- * the homology of a loop follows.
+ * @brief The edges of a manifold surface as a graph, with a word for each from which the homology
+ * of a loop follows.
  *
  *     tree:       a spanning tree of the points of each component
  *     cotree:     a spanning tree of the faces, across edges that are not in the tree; each
@@ -49,8 +49,8 @@ struct GraphSpoke
 class EdgeGraph
 {
 public:
-  /// @param surface Manifold, with or without boundary; points that no triangle uses
-  /// are allowed. Must outlive this.
+  /// @param surface Manifold, with or without boundary; points that no triangle uses are allowed.
+  /// Must outlive this.
   explicit EdgeGraph(const Surface& surface, int threads);
 
   const std::vector<GraphEdge>& Edges() const { return this->EdgeList; }

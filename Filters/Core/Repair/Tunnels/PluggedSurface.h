@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PluggedSurface.h
- * @brief A surface while its tunnels are closed. Triangles keep their
- * ids; those of plugs are appended.
+ * @brief A surface while its tunnels are closed. Triangles keep their ids; those of plugs are
+ * appended.
  */
 #ifndef BoneDecimate_Core_Repair_Tunnels_PluggedSurface_h
 #define BoneDecimate_Core_Repair_Tunnels_PluggedSurface_h

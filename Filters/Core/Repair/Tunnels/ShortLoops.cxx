@@ -17,8 +17,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// The search from one seed. Its memory is in proportion to the
-/// surface, so it is used for many seeds.
+/// The search from one seed. Its memory is in proportion to the surface, so it is used for many
+/// seeds.
 class LoopSearch
 {
 public:

@@ -272,8 +272,8 @@ double PlugMaker::VolumeOf(const TunnelPlug& plug) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether a cap has a triangle without area, or intersects the other cap, itself
-/// or what remains of the surface.
+/// Whether a cap has a triangle without area, or intersects the other cap, itself or what remains
+/// of the surface.
 bool PlugMaker::Intersects(const TunnelPlug& plug) const
 {
   const PluggedSurface& surface = this->Plugged;

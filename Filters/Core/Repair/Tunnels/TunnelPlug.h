@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TunnelPlug.h
- * @brief Closes a tunnel at a loop around it: a band of triangles along
- * the loop is replaced by two caps.
+ * @brief Closes a tunnel at a loop around it: a band of triangles along the loop is replaced by two
+ * caps.
  *
  *     band       the triangles at the points of the loop, on both sides or on one; an annulus
  *     caps       triangles of least area on its two rims; they have no new point,

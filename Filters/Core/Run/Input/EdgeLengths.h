@@ -27,8 +27,8 @@
 
 namespace bonedecimate
 {
-/// Whether a run can use them; counts the invalid ones.  @param given mm,
-/// of each input point; null: none.
+/// Whether a run can use them; counts the invalid ones.  @param given mm, of each input point;
+/// null: none.
 InputStatus CheckEdgeLengths(
   const std::vector<double>* given, std::size_t numberOfPoints, CleaningStatistics& found);
 

@@ -13,8 +13,8 @@
 
 namespace bonedecimate
 {
-/// For each point whether it lies on an edge of exactly one triangle. Equal points
-/// are merged, as in the decimation.
+/// For each point whether it lies on an edge of exactly one triangle. Equal points are merged, as
+/// in the decimation.
 std::vector<bool> PointsOnBoundaries(const Surface& surface, int threads = 1);
 
 /// For each point whether it lies on an edge whose two normals enclose an angle of smaller cosine,

@@ -25,13 +25,13 @@ struct Labels;
 InputStatus CheckLabelMap(
   const LabelMapSource* source, const Surface& input, const Options& options);
 
-/// Whether a surface can be voxelized on the grid: nothing is wrong with it, and it is
-/// near the grid. It may be empty.
+/// Whether a surface can be voxelized on the grid: nothing is wrong with it, and it is near the
+/// grid. It may be empty.
 InputStatus CheckForVoxels(
   const Surface& surface, const VoxelGrid& grid, int threads, CleaningStatistics& found);
 
-/// KeepVoxels On; Automatic: if there is a grid, and no largest error
-/// or one of at most half a voxel.
+/// KeepVoxels On; Automatic: if there is a grid, and no largest error or one of at most half a
+/// voxel.
 /// @param options With the largest error of the preset.
 bool GuardsVoxels(const LabelMapSource* source, const Options& options);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Labels.h
- * @brief Labels of triangles (bone, fragment or segment), and the area
- * of each label before and after.
+ * @brief Labels of triangles (bone, fragment or segment), and the area of each label before and
+ * after.
  */
 #ifndef BoneDecimate_Core_Run_Input_Labels_h
 #define BoneDecimate_Core_Run_Input_Labels_h
@@ -28,8 +28,8 @@ struct Labels
 /// The label of each triangle of the cleaned surface.
 std::vector<Index> LabelsOf(const CleanSurface& clean, const Labels& labels);
 
-/// Labels of the remaining faces, which never change.  @param mesh Built
-/// from the surface and simplified.
+/// Labels of the remaining faces, which never change.  @param mesh Built from the surface and
+/// simplified.
 std::vector<LabelArea> LabelAreas(
   const CleanSurface& clean, const HalfEdgeMesh& mesh, const Labels& labels);
 }

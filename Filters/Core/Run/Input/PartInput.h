@@ -22,8 +22,8 @@ namespace bonedecimate
 /// What other parts have near this one.
 Neighborhood NeighborsOf(const SurfacePart& part, const CleanSurface& clean, int threads);
 
-/// Whether other parts have a vertex of the mesh, too, or it is a corner of a triangle
-/// too near to them. Empty: none.
+/// Whether other parts have a vertex of the mesh, too, or it is a corner of a triangle too near to
+/// them. Empty: none.
 std::vector<char> SharedVertices(
   const SurfacePart& part, const CleanSurface& clean, const Neighborhood& neighbors);
 

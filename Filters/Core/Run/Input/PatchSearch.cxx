@@ -15,8 +15,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// How far inside of its patch a point is searched, as a fraction of the distance
-/// to the middle of its triangles.
+/// How far inside of its patch a point is searched, as a fraction of the distance to the middle of
+/// its triangles.
 constexpr double FromVertex = 0.25;
 
 /// The pair of labels of a triangle and the name of its label, as far as there are any.

@@ -97,13 +97,13 @@ inline bool ContinuesEarlierRun(const RunInputs& inputs)
   return inputs.Part != nullptr && inputs.Part->Reference != nullptr;
 }
 
-/// Whether curves between labels are collapsed. A log cannot record it for label maps,
-/// and does not come with labels.
+/// Whether curves between labels are collapsed. A log cannot record it for label maps, and does not
+/// come with labels.
 bool CollapsesFeatureCurves(const RunInputs& inputs);
 
 /// @param task Its largest error is lowered to the diagonal if it is more.
-/// @param checkedAt,builtAt Fractions of the progress at which the input is
-/// checked and the mesh is built.
+/// @param checkedAt,builtAt Fractions of the progress at which the input is checked and the mesh is
+/// built.
 /// @param report Status, figures of the input. The result is of use only if its status is good.
 PreparedInput PrepareInput(
   RunTask& task, double checkedAt, double builtAt, RunProgress& progress, Report& report);

@@ -17,16 +17,16 @@
 
 namespace bonedecimate
 {
-/// Whether it is below a limit. No value is below a limit of 0, and a
-/// volume of NaN is below no limit.
+/// Whether it is below a limit. No value is below a limit of 0, and a volume of NaN is below no
+/// limit.
 bool IsPruned(const PrunedComponent& component, const Options& limits);
 
 /// Those of the components that are below a limit.
 PruneFigures FindPruned(const std::vector<PrunedComponent>& components, const Options& limits);
 
 /**
- * Without a limit nothing is changed. If no component would remain, nothing is
- * changed either, and all are reported.
+ * Without a limit nothing is changed. If no component would remain, nothing is changed either, and
+ * all are reported.
  * @param input The surface before cleaning.
  * @returns The removed components; see PruneFigures.
  */

@@ -55,8 +55,8 @@ std::array<Vector3, 3> CornersOf(const Surface& surface, Index triangle)
   return { surface.Points[v[0]], surface.Points[v[1]], surface.Points[v[2]] };
 }
 
-/// Raises the bound of every triangle of the input that may be the nearest to a
-/// point of a reference triangle.
+/// Raises the bound of every triangle of the input that may be the nearest to a point of a
+/// reference triangle.
 /// @param bounds mm, for each reference triangle.  @param used mm, for each triangle of the input.
 void RaiseToNearest(const Surface& reference, const std::vector<double>& bounds,
   const Surface& input, int threads, std::vector<double>& used)

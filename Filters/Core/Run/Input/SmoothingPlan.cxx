@@ -13,8 +13,8 @@ namespace
 {
 /// From this ratio of the largest to the smallest spacing on slices are thick.
 constexpr double ThickSlices = 2.0;
-/// Spacings are estimates, and limits lack the slack of the error bound: an error
-/// of one voxel is none below it.
+/// Spacings are estimates, and limits lack the slack of the error bound: an error of one voxel is
+/// none below it.
 constexpr double RelativeAccuracy = 1e-3;
 
 void FindSource(const Surface& input, const LabelMapSource* labelMap, SmoothingPlan& plan)

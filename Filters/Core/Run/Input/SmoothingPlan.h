@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SmoothingPlan.h
- * @brief How far the points of an input may move when it is smoothed, and
- * what is known of its voxel grid.
+ * @brief How far the points of an input may move when it is smoothed, and what is known of its
+ * voxel grid.
  *
  *     Smoothing            that many millimeters, whatever the surface is
  *     AutomaticSmoothing   half the smallest voxel spacing of a label map or of a binary surface;

@@ -24,8 +24,8 @@
 namespace bonedecimate
 {
 /// Whether a run can use them; counts the invalid ones.
-/// @param provesError Whether the mode proves errors. Without a proof,
-/// tolerances above 0 are rejected.
+/// @param provesError Whether the mode proves errors. Without a proof, tolerances above 0 are
+/// rejected.
 InputStatus CheckTolerances(const std::vector<double>& given, std::size_t numberOfPoints,
   bool provesError, CleaningStatistics& found);
 

@@ -13,8 +13,8 @@ namespace bonedecimate
 namespace
 {
 /// Largest difference of equal coordinates as a fraction of the largest coordinate:
-/// eight times the rounding of single precision, for programs that transform points and
-/// for axes that are found in edges.
+/// eight times the rounding of single precision, for programs that transform points and for axes
+/// that are found in edges.
 constexpr double SameValue = 0x1p-20;
 /// Largest deviation from a multiple of the step.
 constexpr double Deviation = 0.01;
@@ -90,8 +90,8 @@ bool AreUsable(const Surface& surface)
       });
 }
 
-/// Whether the corners of every triangle lie in one cell: no
-/// coordinate differs by more than a voxel.
+/// Whether the corners of every triangle lie in one cell: no coordinate differs by more than a
+/// voxel.
 bool HasSmallTriangles(const std::vector<GridPoint>& points, const std::vector<Triangle>& triangles)
 {
   return std::all_of(triangles.begin(), triangles.end(),

@@ -10,8 +10,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Largest difference of equal coordinates as a fraction of the largest coordinate: twice
-/// the rounding of single precision.
+/// Largest difference of equal coordinates as a fraction of the largest coordinate: twice the
+/// rounding of single precision.
 constexpr double SameCoordinate = 0x1p-22;
 /// Least number of vertices of a plane as a fraction of that of a typical plane.
 constexpr double PlaneRatio = 0.125;
@@ -20,8 +20,8 @@ constexpr double EvenStepRatio = 0.9;
 constexpr double OnPlanesRatio =
   0.15; // with cubic voxels two thirds; fewer if the planes are far apart
 constexpr std::size_t FewestPlanes = 4;
-/// The median edge of a marching-cubes surface as a fraction of the side of a
-/// cubic voxel, and its uncertainty.
+/// The median edge of a marching-cubes surface as a fraction of the side of a cubic voxel, and its
+/// uncertainty.
 constexpr double EdgeOfVoxel = 1.03;
 constexpr double EdgeError = 0.2;
 

@@ -5,9 +5,9 @@
  * @brief Estimates the voxel size of the scan from which a surface comes, and derives the
  * largest error of a preset from it.
  *
- * Marching cubes puts every vertex on an edge of the grid: two of its coordinates are
- * those of grid planes, the third is interpolated. Along each axis the planes are
- * therefore the values that occur most often:
+ * Marching cubes puts every vertex on an edge of the grid: two of its coordinates are those of grid
+ * planes, the third is interpolated. Along each axis the planes are therefore the values that occur
+ * most often:
  *
  *     values      equal coordinates, counted
  *     planes      values that occur at least an eighth as often as those of a tenth of the vertices

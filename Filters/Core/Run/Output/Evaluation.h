@@ -47,8 +47,8 @@ struct EvaluatedRun
 double MeasuredFrom(const Options& options, bool isProvedNext);
 double MeasuredTo(bool isProvedNext);
 
-/// Fills in the report, and the distances of input points if requested. After an
-/// abort, computes statistics only.
+/// Fills in the report, and the distances of input points if requested. After an abort, computes
+/// statistics only.
 void Evaluate(
   const EvaluatedRun& run, const Options& options, RunProgress& progress, Result& output);
 }

@@ -158,8 +158,8 @@ bool HaveSameLabels(const ExtractOptions& options, std::size_t a, std::size_t b)
       options.LabelMap->OfTriangle[a] == options.LabelMap->OfTriangle[b]);
 }
 
-/// The triangle nearest to a centroid may have another label: the original
-/// triangle of the face is used then.
+/// The triangle nearest to a centroid may have another label: the original triangle of the face is
+/// used then.
 void KeepLabels(const HalfEdgeMesh& mesh, const CleanSurface& clean, const ExtractOptions& options,
   Result& result)
 {
@@ -210,8 +210,8 @@ void LookUpCentroids(
     });
 }
 
-/// The distances of the points, and where points and triangles come
-/// from, as far as they are requested.
+/// The distances of the points, and where points and triangles come from, as far as they are
+/// requested.
 void FindOrigins(const HalfEdgeMesh& mesh, Remains& remains, const ExtractOptions& options,
   const Monitor& monitor, Result& result)
 {

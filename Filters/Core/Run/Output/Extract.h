@@ -10,8 +10,8 @@
  *     Distance, RunningError    if they or Origins are requested
  *     Origins       if requested
  *
- * Only the last two need the bounding tree of the original. The result does not
- * depend on the number of threads.
+ * Only the last two need the bounding tree of the original. The result does not depend on the
+ * number of threads.
  */
 #ifndef BoneDecimate_Core_Run_Output_Extract_h
 #define BoneDecimate_Core_Run_Output_Extract_h

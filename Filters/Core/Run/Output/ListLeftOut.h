@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ListLeftOut.h
- * @brief Lists what of an input is not in the surface that is proved,
- * with its distance from the result.
+ * @brief Lists what of an input is not in the surface that is proved, with its distance from the
+ * result.
  *
  *     triangles     that cleaning dropped, because they have no area
  *     components    that were pruned
@@ -33,8 +33,8 @@ void ListLeftOut(const Surface& input, const CleanSurface& cleaned, const KeptSu
 std::vector<LeftOut> DistancesOf(
   std::vector<LeftOutShape> all, const Surface& surface, int threads);
 
-/// What was left out of two surfaces that are compared, each with its
-/// distance from the other surface.
+/// What was left out of two surfaces that are compared, each with its distance from the other
+/// surface.
 std::vector<LeftOut> LeftOutOfPair(const std::vector<LeftOutShape>& ofReference,
   const Surface& reference, const std::vector<LeftOutShape>& ofResult, const Surface& result,
   int threads);
@@ -50,8 +50,8 @@ LeftOutShape TrianglesWithoutArea(
 std::vector<std::array<Vector3, 3>> ShapesOf(
   const std::vector<Vector3>& points, const std::vector<Triangle>& triangles, bool withoutArea);
 
-/// mm, no point of the shapes is farther from the surface; not a number
-/// without shapes or without a surface.
+/// mm, no point of the shapes is farther from the surface; not a number without shapes or without a
+/// surface.
 double MaxDistance(
   const std::vector<std::array<Vector3, 3>>& shapes, const Surface& surface, int threads);
 }

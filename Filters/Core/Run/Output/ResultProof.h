@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ResultProof.h
- * @brief The certificate of a run: proved bounds of the distance between input
- * and result, as both are stored.
+ * @brief The certificate of a run: proved bounds of the distance between input and result, as both
+ * are stored.
  *
  *     reference = input, or the original from which it was made,
  *       without dropped and pruned triangles
  *     Certify(reference, result)         in input coordinates, rounded as they will be written
  *     bound of a point                   the largest upper bound of the triangles around it
  *
- * Reads only these surfaces. With a reference, tolerances of points are certified
- * separately, relative to the input. The bound does not hold for dropped triangles
- * without area; the report counts them.
+ * Reads only these surfaces. With a reference, tolerances of points are certified separately,
+ * relative to the input. The bound does not hold for dropped triangles without area; the report
+ * counts them.
  */
 #ifndef BoneDecimate_Core_Run_Output_ResultProof_h
 #define BoneDecimate_Core_Run_Output_ResultProof_h
@@ -28,8 +28,8 @@ namespace bonedecimate
 /// What a run has to prove.  @param tolerances mm, for each point of the input; null: none.
 CertificateOptions ProofOptions(const Options& options, const std::vector<double>* tolerances);
 
-/// mm, for each point the largest bound of the triangles around it; empty if
-/// there are no bounds of triangles.
+/// mm, for each point the largest bound of the triangles around it; empty if there are no bounds of
+/// triangles.
 std::vector<double> BoundsAtPoints(
   const Surface& surface, const std::vector<double>& triangleBounds);
 
@@ -49,8 +49,8 @@ bool WantsProof(const Options& options, bool hasTolerances);
  * are bounds and no proof status. Surfaces that the certificate cannot compare are undecided.
  * After an abort there is no proof.
  * @param cleaned Only its list of kept input triangles is used.
- * @param tolerances mm, for each input point, as
- * CertificateOptions::ToleranceMap; null: MaximumError only.
+ * @param tolerances mm, for each input point, as CertificateOptions::ToleranceMap; null:
+ * MaximumError only.
  * @param reference The surface to which MaximumError refers; null: the input.
  */
 void ProveResult(const Surface& input, const CleanSurface& cleaned, const Options& options,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ProofSentence.h
- * @brief What is proved of a result, with all that the proof does not
- * cover, as every adapter prints it.
+ * @brief What is proved of a result, with all that the proof does not cover, as every adapter
+ * prints it.
  */
 #ifndef BoneDecimate_Core_Run_Report_ProofSentence_h
 #define BoneDecimate_Core_Run_Report_ProofSentence_h
@@ -25,8 +25,8 @@ struct ProofFacts
   std::vector<bonedecimate::LeftOut> LeftOut;
 };
 
-/// "<= 0.499900 mm in both directions, open boundaries too, but for 2 lines
-/// ...": the bound is rounded up.
+/// "<= 0.499900 mm in both directions, open boundaries too, but for 2 lines ...": the bound is
+/// rounded up.
 std::string ProofSentence(const ProofFacts& facts);
 std::string ProofSentence(const Report& report);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ReportCells.h
- * @brief Replaces the triangle ids in a report by the ids of the input cells
- * from which the triangles came.
+ * @brief Replaces the triangle ids in a report by the ids of the input cells from which the
+ * triangles came.
  */
 #ifndef BoneDecimate_Core_Run_Report_ReportCells_h
 #define BoneDecimate_Core_Run_Report_ReportCells_h

@@ -15,8 +15,8 @@
 
 namespace bonedecimate
 {
-/// Proved upper bound of the distance, both directions and open
-/// boundaries, mm; NaN without a proof.
+/// Proved upper bound of the distance, both directions and open boundaries, mm; NaN without a
+/// proof.
 double ProvedError(const Report& report);
 
 /// Largest distance by samples, both directions, mm; NaN if distances were not measured.

@@ -17,8 +17,8 @@ namespace bonedecimate
 /// Only if tunnels were to be closed.
 void AddTunnels(Entries& entries, const TunnelFigures& tunnels);
 
-/// That there is bone where the input has none, and which tunnels
-/// were left open; one sentence each.
+/// That there is bone where the input has none, and which tunnels were left open; one sentence
+/// each.
 std::vector<std::string> TunnelWarnings(const TunnelFigures& tunnels);
 }
 

@@ -11,8 +11,8 @@
 
 namespace bonedecimate
 {
-/// The word at the number of the value; "unknown" if there is none, so that a value without
-/// a word cannot read beyond them.
+/// The word at the number of the value; "unknown" if there is none, so that a value without a word
+/// cannot read beyond them.
 template <typename Value, std::size_t Count>
 const char* WordOf(const char* const (&words)[Count], Value value)
 {
