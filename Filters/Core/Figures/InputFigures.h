@@ -56,7 +56,7 @@ struct ReferenceFigures
   ProvedDistance ToInput;     ///< mm, between reference and input, the larger direction.
 };
 
-/// What welding changed before the first edit (WeldRun.h).
+/// What welding changed before the first edit (WeldOperation.h).
 struct WeldFigures
 {
   bool HasRun = false;     ///< If false, all other members are meaningless.

@@ -7,7 +7,9 @@
 #include "Decimate/Cost/AutomaticTolerance.h"
 #include "Decimate/Stages/DistinctPositions.h"
 #include "Decimate/Stages/StageList.h"
+#include "InputOperation.h"
 #include "Mesh/Checksum.h"
+#include "OptionConflict.h"
 #include "Options/OptionTable.h"
 #include "Partition/Regions/RegionRun.h"
 #include "Run/Input/EdgeLengths.h"
@@ -23,8 +25,6 @@
 #include "Run/Output/ResultProof.h"
 #include "SettingsOfEditor.h"
 #include "SmoothInput.h"
-#include "TunnelRun.h"
-#include "WeldRun.h"
 
 #include <algorithm>
 #include <limits>
@@ -277,25 +277,57 @@ Result DecimateWhole(
   report.Seconds.Total = clock.Seconds();
   return result;
 }
+
+/// Applies the operations that the options request, runs the rest, and restores what refers to the
+/// input.
+Result DecimateAfterOperations(
+  const Surface& input, const Options& options, const Monitor& monitor, const RunInputs& inputs)
+{
+  constexpr double appliedAt = 0.1;
+  const StageClock clock;
+  RunProgress progress(monitor);
+  RunRequest request = { &input, options, inputs };
+  const std::vector<std::unique_ptr<InputOperation>> operations = InputOperations(options);
+  for (const std::unique_ptr<InputOperation>& operation : operations)
+  {
+    std::string conflict = FindConflict(request.Options, request.Inputs);
+    if (conflict.empty())
+    {
+      conflict = operation->Apply(request, progress.Stage(0.0, appliedAt));
+    }
+    if (!conflict.empty())
+    {
+      return RejectedResult(options, conflict);
+    }
+  }
+  progress.Stage(0.0, appliedAt)(1.0);
+  const double seconds = clock.Seconds();
+  Result result = DecimateRegions(
+    *request.Input, request.Options, progress.Stage(appliedAt, 1.0), request.Inputs, DecimateWhole);
+  for (auto operation = operations.rbegin(); operation != operations.rend(); ++operation)
+  {
+    (*operation)->Restore(result);
+  }
+  result.Report.Seconds.Prepare += seconds;
+  result.Report.Seconds.Decimate += seconds;
+  result.Report.Seconds.Total += seconds;
+  return result;
+}
 }
 
 Result Decimate(
   const Surface& input, const Options& options, const Monitor& monitor, const RunInputs& inputs)
 {
   Result result;
-  result.Report.Requested = options;
   result.Report.Status = InputStatus::InvalidOption;
   if (CheckOptions(options).empty())
   {
-    const WholeRun runRegions =
-      [](const Surface& closed, const Options& rest, const Monitor& follow, const RunInputs& with)
-    { return DecimateRegions(closed, rest, follow, with, DecimateWhole); };
-    result = WeldThenRun(input, options, monitor, inputs,
-      [&runRegions](
-        const Surface& welded, const Options& rest, const Monitor& follow, const RunInputs& with)
-      { return CloseTunnelsThenRun(welded, rest, follow, with, runRegions); });
+    result = InputOperations(options).empty()
+      ? DecimateRegions(input, options, monitor, inputs, DecimateWhole)
+      : DecimateAfterOperations(input, options, monitor, inputs);
     result.Report.OutputChecksum = TriangleChecksum(result.Surface, options.NumberOfThreads);
   }
+  result.Report.Requested = options;
   return result;
 }
 

@@ -4,9 +4,9 @@
  * @file Decimate.h
  * @brief Simplifies a surface; the result comes with its error in millimeters.
  *
- *     welded   = Weld(input)             on request; bounds of what follows are widened (WeldRun.h)
+ *     welded   = Weld(input)             on request; bounds of what follows are widened (WeldOperation.h)
  *     closed   = CloseTunnels(welded)          on request; what follows refers to the closed
- *                                              surface (TunnelRun.h)
+ *                                              surface (TunnelOperation.h)
  *     prepared = PrepareInput(input)       clean, prune, check the errors, build the half-edge mesh
  *     smoothed = SmoothInput(prepared)         positions within a bound, if smoothing is on; proved
  *                                              by their displacement

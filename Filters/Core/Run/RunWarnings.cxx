@@ -3,7 +3,7 @@
 #include "RunWarnings.h"
 
 #include "Repair/Diagnostics/SurfaceHints.h"
-#include "WeldRun.h"
+#include "WeldOperation.h"
 
 namespace bonedecimate
 {

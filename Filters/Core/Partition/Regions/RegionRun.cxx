@@ -86,7 +86,7 @@ class RegionRun
 {
 public:
   RegionRun(const Surface& input, const Options& options, const Monitor& monitor,
-    const RunInputs& inputs, const WholeRun& run)
+    const RunInputs& inputs, WholeRun run)
     : Input(input)
     , Effective(options)
     , Inputs(inputs)
@@ -296,7 +296,7 @@ private:
   const Surface& Input;
   Options Effective; // without a preset, the largest error no more than the diagonal
   const RunInputs& Inputs;
-  const WholeRun& Run;
+  WholeRun Run;
   RunProgress Progress;
   CacheUse Cache;
   bool WantsProof = false;
@@ -309,7 +309,7 @@ private:
 
 /// The result is set if the regions alone were run.
 RegionStatus TryRegions(const Surface& input, const Options& options, const Monitor& monitor,
-  const RunInputs& inputs, const WholeRun& run, Result& result)
+  const RunInputs& inputs, WholeRun run, Result& result)
 {
   const std::ptrdiff_t unchanged = inputs.Tolerances == nullptr
     ? 0
@@ -337,7 +337,7 @@ RegionStatus TryRegions(const Surface& input, const Options& options, const Moni
 }
 
 Result DecimateRegions(const Surface& input, const Options& options, const Monitor& monitor,
-  const RunInputs& inputs, const WholeRun& run)
+  const RunInputs& inputs, WholeRun run)
 {
   double told = 0.0;
   bool goesOn = true;

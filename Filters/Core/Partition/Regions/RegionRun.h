@@ -22,19 +22,16 @@
 #include "Run/Input/RunInputs.h"
 #include "Run/Output/Result.h"
 
-#include <functional>
-
 namespace bonedecimate
 {
 /// A run that reads the whole surface.
-using WholeRun =
-  std::function<Result(const Surface&, const Options&, const Monitor&, const RunInputs&)>;
+using WholeRun = Result (*)(const Surface&, const Options&, const Monitor&, const RunInputs&);
 
 /// Runs the regions alone if most of the surface may not change, and otherwise, or if that fails,
 /// the whole; the report says which.
 /// @param options Must be valid.  @param run Simplifies a part, or the whole.
 Result DecimateRegions(const Surface& input, const Options& options, const Monitor& monitor,
-  const RunInputs& inputs, const WholeRun& run);
+  const RunInputs& inputs, WholeRun run);
 }
 
 #endif

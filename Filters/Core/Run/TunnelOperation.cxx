@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TunnelRun.h"
+#include "TunnelOperation.h"
 
-#include "Base/RunProgress.h"
-#include "Base/StageClock.h"
 #include "Geometry/BoundingTree.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/ManifoldPatches.h"
-#include "OptionConflict.h"
 #include "Repair/Diagnostics/Diagnostics.h"
 #include "Repair/Tunnels/CloseTunnels.h"
 #include "Run/Input/Tolerances.h"
@@ -18,8 +15,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double ClosedAt = 0.1; // of the progress
-
 /// Points that have a tolerance of 0, or duplicates because the surface is not manifold there.
 std::vector<char> FixedPoints(const CleanSurface& clean, const std::vector<double>* tolerances)
 {
@@ -41,53 +36,41 @@ std::vector<char> FixedPoints(const CleanSurface& clean, const std::vector<doubl
   return isFixed;
 }
 
-class TunnelRun
+class TunnelOperation : public InputOperation
 {
 public:
-  TunnelRun(const Surface& input, const Options& options, const Monitor& monitor,
-    const RunInputs& inputs, const WholeRun& run)
-    : Input(input)
-    , Requested(options)
-    , Inputs(inputs)
-    , RunRest(run)
-    , Progress(monitor)
+  std::string Apply(RunRequest& request, const Monitor& monitor) override
   {
+    this->Before = request;
+    request.Options.TunnelSize = 0.0;
+    this->IsRead = this->Close(monitor);
+    if (!this->Ids.empty())
+    {
+      request.Input = &this->Closed;
+      request.Options.DiagnoseInput = false;
+      this->ChangeInputs(request.Inputs);
+    }
+    return {};
   }
 
-  Result Run()
+  void Restore(Result& result) override
   {
-    const StageClock clock;
-    const bool isRead = this->Close();
-    const double seconds = clock.Seconds();
-    Options rest = this->Requested;
-    rest.TunnelSize = 0.0;
-    const bool isChanged = !this->Ids.empty();
-    rest.DiagnoseInput = rest.DiagnoseInput && !isChanged;
-    const RunInputs inputs = isChanged ? this->InputsOfClosed() : this->Inputs;
-    Result result = this->RunRest(
-      isChanged ? this->Closed : this->Input, rest, this->Progress.Stage(ClosedAt, 1.0), inputs);
-    Report& report = result.Report;
-    report.Requested = this->Requested;
-    report.Tunnels = isRead ? std::move(this->Figures) : TunnelFigures();
-    if (isChanged)
+    result.Report.Tunnels = this->IsRead ? std::move(this->Figures) : TunnelFigures();
+    if (!this->Ids.empty())
     {
       this->NameInput(result);
     }
-    report.Seconds.Prepare += seconds;
-    report.Seconds.Decimate += seconds;
-    report.Seconds.Total += seconds;
-    return result;
   }
 
 private:
   /// False if the input will be rejected.
-  bool Close()
+  bool Close(const Monitor& monitor)
   {
-    const int threads = this->Requested.NumberOfThreads;
-    CleanSurface clean = Clean(this->Input, this->Requested.MergePoints, threads);
-    const std::vector<double>* tolerances = this->Inputs.Tolerances;
+    const int threads = this->Before.Options.NumberOfThreads;
+    CleanSurface clean = Clean(*this->Before.Input, this->Before.Options.MergePoints, threads);
+    const std::vector<double>* tolerances = this->Before.Inputs.Tolerances;
     if (clean.Status != InputStatus::Good ||
-      (tolerances != nullptr && tolerances->size() != this->Input.Points.size()))
+      (tolerances != nullptr && tolerances->size() != this->Before.Input->Points.size()))
     {
       return false;
     }
@@ -96,14 +79,14 @@ private:
     TunnelConstraints constraints = { FixedPoints(clean, tolerances), {} };
     for (const Index triangle : clean.InputTriangle)
     {
-      if (this->Inputs.Labels != nullptr)
+      if (this->Before.Inputs.Labels != nullptr)
       {
         constraints.Labels.push_back(
-          this->Inputs.Labels->OfTriangle[static_cast<std::size_t>(triangle)]);
+          this->Before.Inputs.Labels->OfTriangle[static_cast<std::size_t>(triangle)]);
       }
     }
-    SurfaceWithoutTunnels made = CloseTunnels(clean.Surface, constraints,
-      this->Requested.TunnelSize, threads, this->Progress.Stage(0.0, ClosedAt));
+    SurfaceWithoutTunnels made =
+      CloseTunnels(clean.Surface, constraints, this->Before.Options.TunnelSize, threads, monitor);
     this->Figures = std::move(made.Figures);
     for (ClosedTunnel& tunnel : this->Figures.Closed)
     {
@@ -113,24 +96,23 @@ private:
     {
       this->Assemble(clean, made);
     }
-    this->Progress.Stage(0.0, ClosedAt)(1.0);
     return true;
   }
 
   /// The input without what was removed, and then the plugs.
   void Assemble(const CleanSurface& clean, const SurfaceWithoutTunnels& made)
   {
-    std::vector<char> isRemoved(this->Input.Triangles.size(), 0);
+    std::vector<char> isRemoved(this->Before.Input->Triangles.size(), 0);
     for (std::size_t t = 0; t < made.IsRemoved.size(); ++t)
     {
       isRemoved[static_cast<std::size_t>(clean.InputTriangle[t])] = made.IsRemoved[t];
     }
-    this->Closed.Points = this->Input.Points;
+    this->Closed.Points = this->Before.Input->Points;
     for (std::size_t t = 0; t < isRemoved.size(); ++t)
     {
       if (isRemoved[t] == 0)
       {
-        this->Closed.Triangles.push_back(this->Input.Triangles[t]);
+        this->Closed.Triangles.push_back(this->Before.Input->Triangles[t]);
         this->Ids.push_back(static_cast<Index>(t));
       }
     }
@@ -146,21 +128,19 @@ private:
     }
   }
 
-  RunInputs InputsOfClosed()
+  void ChangeInputs(RunInputs& inputs)
   {
-    RunInputs inputs = this->Inputs;
     inputs.Regions = nullptr; // which are those of the input
-    if (this->Inputs.Labels != nullptr)
+    if (this->Before.Inputs.Labels != nullptr)
     {
-      this->ClosedLabels.Names = this->Inputs.Labels->Names;
+      this->ClosedLabels.Names = this->Before.Inputs.Labels->Names;
       for (const Index id : this->Ids)
       {
         this->ClosedLabels.OfTriangle.push_back(
-          this->Inputs.Labels->OfTriangle[static_cast<std::size_t>(id)]);
+          this->Before.Inputs.Labels->OfTriangle[static_cast<std::size_t>(id)]);
       }
       inputs.Labels = &this->ClosedLabels;
     }
-    return inputs;
   }
 
   /// Makes what names triangles and counts what was read refer to the input.
@@ -180,10 +160,10 @@ private:
     report.Cleaning.FirstCoarsePoint = cleaning.FirstCoarsePoint;
     report.Cleaning.MaxRounding = cleaning.MaxRounding;
     report.Cleaning.ConstrainedPoints = cleaning.ConstrainedPoints;
-    report.InputChecksum = Checksum(this->Input, this->Requested.NumberOfThreads);
-    if (this->Requested.DiagnoseInput)
+    report.InputChecksum = Checksum(*this->Before.Input, this->Before.Options.NumberOfThreads);
+    if (this->Before.Options.DiagnoseInput)
     {
-      report.Diagnostics = Diagnose(this->Input, this->Requested.NumberOfThreads);
+      report.Diagnostics = Diagnose(*this->Before.Input, this->Before.Options.NumberOfThreads);
     }
     if (!result.Origins.NearestTriangle.empty() || !result.Origins.TriangleAtCentroid.empty())
     {
@@ -193,7 +173,7 @@ private:
 
   void NameOrigins(Result& result) const
   {
-    const BoundingTree tree(this->Input, this->Requested.NumberOfThreads);
+    const BoundingTree tree(*this->Before.Input, this->Before.Options.NumberOfThreads);
     SurfaceOrigins& origins = result.Origins;
     const auto isPlug = [this](Index triangle)
     { return static_cast<std::size_t>(triangle) >= this->FirstPlug; };
@@ -215,7 +195,7 @@ private:
     {
       Index& triangle = origins.TriangleAtCentroid[t];
       const Index replaced = this->Ids[static_cast<std::size_t>(triangle)];
-      triangle = isPlug(triangle) && this->Inputs.Labels == nullptr
+      triangle = isPlug(triangle) && this->Before.Inputs.Labels == nullptr
         ? tree.FindNearest(CentroidOf(result.Surface, t)).Triangle
         : replaced; // which has the label of the plug
     }
@@ -230,11 +210,8 @@ private:
       3.0;
   }
 
-  const Surface& Input;
-  const Options& Requested;
-  const RunInputs& Inputs;
-  const WholeRun& RunRest;
-  RunProgress Progress;
+  RunRequest Before = {};
+  bool IsRead = false;
   CleaningStatistics Cleaning; // of the input
   TunnelFigures Figures;
   Surface Closed;
@@ -245,15 +222,8 @@ private:
 };
 }
 
-Result CloseTunnelsThenRun(const Surface& input, const Options& options, const Monitor& monitor,
-  const RunInputs& inputs, const WholeRun& run)
+std::unique_ptr<InputOperation> MakeTunnelOperation()
 {
-  if (!(options.TunnelSize > 0.0))
-  {
-    return run(input, options, monitor, inputs);
-  }
-  const std::string conflict = FindConflict(options, inputs);
-  return conflict.empty() ? TunnelRun(input, options, monitor, inputs, run).Run()
-                          : RejectedResult(options, conflict);
+  return std::make_unique<TunnelOperation>();
 }
 }

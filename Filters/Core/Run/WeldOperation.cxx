@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WeldRun.h"
+#include "WeldOperation.h"
 
-#include "Base/StageClock.h"
 #include "Mesh/Checksum.h"
 #include "Mesh/Cleaning.h"
-#include "OptionConflict.h"
 #include "Options/NumberRange.h"
 #include "Repair/Diagnostics/Diagnostics.h"
 #include "Run/Input/Weld.h"
@@ -20,58 +18,65 @@ namespace bonedecimate
 {
 namespace
 {
-class WeldRun
+class WeldOperation : public InputOperation
 {
 public:
-  WeldRun(const Surface& input, const Options& options, const RunInputs& inputs)
-    : Input(input)
-    , Requested(options)
-    , Inputs(inputs)
-    , Error(options.MaxError(options.VoxelSize))
+  std::string Apply(RunRequest& request, const Monitor&) override
   {
-  }
-
-  Result Run(const Monitor& monitor, const WholeRun& run)
-  {
-    const StageClock clock;
-    Options rest = this->Requested;
-    rest.WeldDistance = 0.0;
-    RunInputs inputs = this->Inputs;
-    const bool isRead = this->WeldInput();
+    const std::string conflict = ConflictOf(request.Options);
+    if (!conflict.empty())
+    {
+      return conflict;
+    }
+    this->Before = request;
+    this->Error = request.Options.MaxError(request.Options.VoxelSize);
+    request.Options.WeldDistance = 0.0;
+    this->Figures.HasRun = this->WeldInput();
     if (this->Error > 0.0 && this->Figures.Movement > 0.5 * this->Error)
     {
-      return RejectedResult(this->Requested,
-        "WeldDistance moves points by up to " + NumberText(this->Figures.Movement) +
-          " mm, more than half of the largest error of " + NumberText(this->Error) +
-          " mm, which includes it");
+      return "WeldDistance moves points by up to " + NumberText(this->Figures.Movement) +
+        " mm, more than half of the largest error of " + NumberText(this->Error) +
+        " mm, which includes it";
     }
-    const bool isChanged = this->Figures.Points > 0;
-    if (isChanged)
+    if (this->Figures.Points > 0)
     {
-      this->Reduce(rest, inputs);
+      this->Reduce(request);
     }
-    const double seconds = clock.Seconds();
-    Result result = run(isChanged ? this->Welded : this->Input, rest, monitor, inputs);
-    result.Report.Requested = this->Requested;
+    return {};
+  }
+
+  void Restore(Result& result) override
+  {
     result.Report.Weld = this->Figures;
-    result.Report.Weld.HasRun = isRead;
-    if (isChanged)
+    if (this->Figures.Points > 0)
     {
-      this->Widen(rest, result);
+      this->Widen(result);
     }
-    result.Report.Seconds.Prepare += seconds;
-    result.Report.Seconds.Total += seconds;
-    return result;
   }
 
 private:
+  /// Why the options do not allow welding; empty: they do.
+  static std::string ConflictOf(const Options& options)
+  {
+    if (!options.MergePoints)
+    {
+      return "WeldDistance needs MergePoints, which joins what was welded";
+    }
+    if (options.ErrorPreset != ErrorPreset::NoPreset && options.VoxelSize == 0.0)
+    {
+      return "WeldDistance with ErrorPreset needs VoxelSize, because the surface does not show it";
+    }
+    return {};
+  }
+
   /// False if the input will be rejected.
   bool WeldInput()
   {
     CleaningStatistics found;
-    const std::vector<double>* tolerances = this->Inputs.Tolerances;
-    if (CheckSurface(this->Input, this->Requested.NumberOfThreads, found) != InputStatus::Good ||
-      (tolerances != nullptr && tolerances->size() != this->Input.Points.size()))
+    const std::vector<double>* tolerances = this->Before.Inputs.Tolerances;
+    if (CheckSurface(*this->Before.Input, this->Before.Options.NumberOfThreads, found) !=
+        InputStatus::Good ||
+      (tolerances != nullptr && tolerances->size() != this->Before.Input->Points.size()))
     {
       return false;
     }
@@ -80,15 +85,16 @@ private:
     for (std::size_t i = 0; tolerances != nullptr && i < tolerances->size(); ++i)
     {
       const double tolerance = (*tolerances)[i];
-      stays.push_back(tolerance >= 0.0 && tolerance < 2.0 * this->Requested.WeldDistance ? 1 : 0);
+      stays.push_back(
+        tolerance >= 0.0 && tolerance < 2.0 * this->Before.Options.WeldDistance ? 1 : 0);
     }
-    WeldedPoints welded = Weld(this->Input, this->Requested.WeldDistance, stays);
+    WeldedPoints welded = Weld(*this->Before.Input, this->Before.Options.WeldDistance, stays);
     this->Figures.Points = welded.Moved;
     this->Figures.Movement = welded.Movement;
     if (welded.Moved > 0)
     {
       this->Welded.Points = std::move(welded.Points);
-      this->Welded.Triangles = this->Input.Triangles;
+      this->Welded.Triangles = this->Before.Input->Triangles;
     }
     return true;
   }
@@ -96,14 +102,18 @@ private:
   /// Rounded down, so that the movement can be added again.
   double Less(double length) const { return std::nextafter(length - this->Figures.Movement, 0.0); }
 
-  void Reduce(Options& rest, RunInputs& inputs)
+  void Reduce(RunRequest& request)
   {
+    request.Input = &this->Welded;
+    Options& options = request.Options;
+    RunInputs& inputs = request.Inputs;
     if (this->Error > 0.0)
     {
-      rest.MaximumError = this->Less(this->Error);
-      rest.ErrorPreset = ErrorPreset::NoPreset;
+      options.MaximumError = this->Less(this->Error);
+      options.ErrorPreset = ErrorPreset::NoPreset;
     }
-    rest.DiagnoseInput = false;
+    this->ReducedError = options.MaximumError;
+    options.DiagnoseInput = false;
     inputs.Regions = nullptr; // which are those of the input
     if (inputs.Tolerances != nullptr)
     {
@@ -126,18 +136,20 @@ private:
   }
 
   /// Makes what is bounded, and what names the input, refer to the input.
-  void Widen(const Options& rest, Result& result) const
+  void Widen(Result& result) const
   {
     Report& report = result.Report;
     const auto restored = [&](double length) {
-      return length == rest.MaximumError ? this->Error : length > 0.0 ? this->More(length) : length;
+      return length == this->ReducedError ? this->Error
+        : length > 0.0                    ? this->More(length)
+                                          : length;
     };
     report.Size.MaxError = restored(report.Size.MaxError);
     report.Size.ErrorBound = restored(report.Size.ErrorBound);
-    report.InputChecksum = Checksum(this->Input, this->Requested.NumberOfThreads);
-    if (this->Requested.DiagnoseInput)
+    report.InputChecksum = Checksum(*this->Before.Input, this->Before.Options.NumberOfThreads);
+    if (this->Before.Options.DiagnoseInput)
     {
-      report.Diagnostics = Diagnose(this->Input, this->Requested.NumberOfThreads);
+      report.Diagnostics = Diagnose(*this->Before.Input, this->Before.Options.NumberOfThreads);
     }
     ErrorProof& proof = report.Proof;
     proof.Tolerance = restored(proof.Tolerance);
@@ -159,10 +171,9 @@ private:
     }
   }
 
-  const Surface& Input;
-  const Options& Requested;
-  const RunInputs& Inputs;
-  double Error; // mm; 0: none, or that of a preset without a voxel size
+  RunRequest Before = {};
+  double Error = 0.0;        // mm; 0: none, or that of a preset without a voxel size
+  double ReducedError = 0.0; // mm, of the request
   WeldFigures Figures;
   Surface Welded;
   std::vector<double> Tolerances;
@@ -176,34 +187,14 @@ std::string RoundedUp(double length)
   std::snprintf(text.data(), text.size(), "%.3g", std::ceil(length / unit) * unit);
   return text.data();
 }
+}
 
-/// Why the run cannot weld; empty: it can.
-std::string ConflictOf(const Options& options, const RunInputs& inputs)
+std::unique_ptr<InputOperation> MakeWeldOperation()
 {
-  if (!options.MergePoints)
-  {
-    return "WeldDistance needs MergePoints, which joins what was welded";
-  }
-  if (options.ErrorPreset != ErrorPreset::NoPreset && options.VoxelSize == 0.0)
-  {
-    return "WeldDistance with ErrorPreset needs VoxelSize, because the surface does not show it";
-  }
-  return FindConflict(options, inputs);
-}
+  return std::make_unique<WeldOperation>();
 }
 
-Result WeldThenRun(const Surface& input, const Options& options, const Monitor& monitor,
-  const RunInputs& inputs, const WholeRun& run)
-{
-  if (!(options.WeldDistance > 0.0))
-  {
-    return run(input, options, monitor, inputs);
-  }
-  const std::string conflict = ConflictOf(options, inputs);
-  return conflict.empty() ? WeldRun(input, options, inputs).Run(monitor, run)
-                          : RejectedResult(options, conflict);
-}
-
+//------------------------------------------------------------------------------
 std::vector<std::string> WeldSentences(const WeldFigures& figures)
 {
   if (!figures.HasRun)
