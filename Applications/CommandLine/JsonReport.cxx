@@ -49,7 +49,8 @@ Json JsonOf(const ModelGridRecord& model)
     { "dimensions", model.Dimensions }, { "chance", model.Chance },
     { "changed_copies", model.Different },
     { "voxels_of_file",
-      { { "compared", model.ComparedInFile }, { "changed", model.ChangedInFile } } } };
+      { { "compared", model.OfFile.Compared }, { "changed", model.OfFile.Changed } } },
+    { "distance_to_file", model.OfFile.Distance } };
 }
 
 Json JsonOf(const SegmentRecord& segment)

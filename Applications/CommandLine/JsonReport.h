@@ -12,6 +12,7 @@
 #include "Geometry/Surface.h"
 #include "Partition/Slabs/SlabRun.h"
 #include "SegmentRecord.h"
+#include "SegmentSurfaces.h"
 
 #include "vtkPolyData.h"
 
@@ -30,10 +31,9 @@ struct ModelGridRecord
   std::string Sentence;
   std::array<double, 3> Spacing; ///< mm
   std::array<Index, 3> Dimensions;
-  double Chance = 0.0;             ///< ModelGrid::Chance
-  std::int64_t Different = 0;      ///< Voxels of the file that are no copies.
-  std::int64_t ComparedInFile = 0; ///< Voxels of the file.
-  std::int64_t ChangedInFile = 0;  ///< Voxels of the file with another label in the result.
+  double Chance = 0.0;        ///< ModelGrid::Chance
+  std::int64_t Different = 0; ///< Voxels of the file that are no copies.
+  FileComparison OfFile = {};
 };
 
 /// What the report says beyond the filter's own. Names are base names: no folder reaches a report.

@@ -38,7 +38,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <tuple>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -68,12 +68,12 @@ public:
     display.Begin("reading");
     if (this->Requested.Segments.IsRequested())
     {
-      const SegmentSurfaces segments = ExtractSegments(this->Requested, this->Subject.Warnings);
+      SegmentSurfaces segments = ExtractSegments(this->Requested, this->Subject.Warnings);
       this->Input = segments.Surface;
       this->Filter->SetLabelMapData(segments.Map);
       this->Subject.Changed = segments.Changed;
-      this->TakeModelGrid(segments);
       this->Remark = segments.Note;
+      this->TakeModelGrid(segments);
     }
     else if (this->Volume)
     {
@@ -251,27 +251,26 @@ public:
   vtkSmartPointer<vtkPolyData> GetResult() { return this->Result; }
 
 private:
-  void TakeModelGrid(const SegmentSurfaces& segments)
+  void TakeModelGrid(SegmentSurfaces& segments)
   {
-    if (!segments.Model.AreFound())
+    if (segments.Model.AreFound())
     {
-      return;
+      const VoxelGrid& grid = segments.Model.Labels.Image.Grid;
+      this->Subject.ModelGrid = ModelGridRecord{ segments.Model.Sentence,
+        { grid.Spacing[0], grid.Spacing[1], grid.Spacing[2] }, grid.Dimensions,
+        segments.Model.Chance, segments.Model.Different };
+      segments.Surface = nullptr; // which the filter has
+      this->Segments = std::move(segments);
     }
-    this->MapOfFile = segments.MapOfFile;
-    const VoxelGrid& grid = segments.Model.Labels.Image.Grid;
-    this->Subject.ModelGrid = ModelGridRecord{ segments.Model.Sentence,
-      { grid.Spacing[0], grid.Spacing[1], grid.Spacing[2] }, grid.Dimensions, segments.Model.Chance,
-      segments.Model.Different };
   }
 
   void CompareWithFile()
   {
-    if (this->MapOfFile)
+    if (this->Subject.ModelGrid)
     {
-      ModelGridRecord& model = *this->Subject.ModelGrid;
-      std::tie(model.ComparedInFile, model.ChangedInFile) = CompareWithMapOfFile(
-        this->Filter->GetOutput(), this->MapOfFile, this->Requested, this->Subject.Warnings);
-      this->MapOfFile = nullptr;
+      this->Subject.ModelGrid->OfFile = CompareWithMapOfFile(
+        this->Filter->GetOutput(), this->Segments, this->Requested, this->Subject.Warnings);
+      this->Segments = {};
     }
   }
 
@@ -346,8 +345,8 @@ private:
   ReportSubject Subject;
   bool Volume;
   OutputRounding Rounding;
-  double VoxelSize = 0.0;                  // mm, of a volume
-  vtkSmartPointer<vtkImageData> MapOfFile; // of the map of a network; null: there is none
+  double VoxelSize = 0.0;   // mm, of a volume
+  SegmentSurfaces Segments; // of the map of a network, until they are compared with the file
   vtkSmartPointer<vtkPolyData> Input;
   vtkSmartPointer<vtkPolyData> Reference; // null: none
   vtkNew<vtkBoneDecimate> Filter;

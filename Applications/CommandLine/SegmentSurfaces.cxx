@@ -11,6 +11,7 @@
 #include "NamedLabels.h"
 #include "SegmentChoice.h"
 
+#include "vtkBoneSurfaceDistance.h"
 #include "vtkBoneSurfaces.h"
 #include "vtkBoneVoxelCheck.h"
 #include "vtkCellData.h"
@@ -41,6 +42,38 @@ void UseModelGrid(const Arguments& arguments, SegmentSurfaces& segments)
     Reject(arguments.Inputs[0], NoModelGridReason);
   }
 }
+
+/// The surface of the labels of a map, on the map's own grid.
+vtkSmartPointer<vtkPolyData> Extract(vtkImageData* map, const std::vector<std::int64_t>& labels,
+  const Arguments& arguments, std::vector<std::string>& warnings)
+{
+  vtkNew<vtkBoneSurfaces> extraction;
+  extraction->SetInputData(map);
+  extraction->SetModelGrid("off");
+  extraction->SetNumberOfThreads(arguments.Options.NumberOfThreads);
+  for (const std::int64_t label : labels)
+  {
+    extraction->AddLabel(label);
+  }
+  AcceptMessages(UpdateFilter(extraction, Progress::Hidden), arguments.Inputs[0], warnings);
+  return extraction->GetOutput();
+}
+
+/// mm, proved, at most a hundredth above the largest distance.
+double ProvedDistanceOf(vtkPolyData* reference, vtkPolyData* surface, const Arguments& arguments,
+  std::vector<std::string>& warnings)
+{
+  constexpr double gap = 0.01;
+  vtkNew<vtkBoneSurfaceDistance> distance;
+  distance->SetInputData(0, reference);
+  distance->SetInputData(1, surface);
+  distance->SetRelativeGap(gap);
+  distance->SetMeasureBoundaries(false);
+  distance->SetMeasureMeans(false);
+  distance->SetNumberOfThreads(arguments.Options.NumberOfThreads);
+  AcceptMessages(UpdateFilter(distance, Progress::Hidden), arguments.Inputs[0], warnings);
+  return distance->GetUpperBound();
+}
 }
 
 SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::string>& warnings)
@@ -55,16 +88,11 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
   WriteNamedLabels(found.Present, segments.Map->GetFieldData());
   UseModelGrid(arguments, segments);
   segments.Map = ChangePieces(segments.Map, chosen, arguments, segments.Changed, warnings);
-  vtkNew<vtkBoneSurfaces> extraction;
-  extraction->SetInputData(segments.Map);
-  extraction->SetModelGrid("off");
-  extraction->SetNumberOfThreads(arguments.Options.NumberOfThreads);
   for (const NamedLabel& label : chosen)
   {
-    extraction->AddLabel(label.Value);
+    segments.Chosen.push_back(label.Value);
   }
-  AcceptMessages(UpdateFilter(extraction, Progress::Hidden), path, warnings);
-  segments.Surface = extraction->GetOutput();
+  segments.Surface = Extract(segments.Map, segments.Chosen, arguments, warnings);
   for (const LeftOut& entry : SegmentsLeftOut(found, arguments.Segments, chosen))
   {
     AddLeftOutOfReader(entry, segments.Surface);
@@ -72,7 +100,7 @@ SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::str
   return segments;
 }
 
-std::pair<std::int64_t, std::int64_t> CompareWithMapOfFile(vtkPolyData* surface, vtkImageData* map,
+FileComparison CompareWithMapOfFile(vtkPolyData* surface, const SegmentSurfaces& segments,
   const Arguments& arguments, std::vector<std::string>& warnings)
 {
   vtkNew<vtkPolyData> withoutGrid; // whose voxels are not those of the file
@@ -80,10 +108,12 @@ std::pair<std::int64_t, std::int64_t> CompareWithMapOfFile(vtkPolyData* surface,
   withoutGrid->GetFieldData()->RemoveArray(GridDimensionsName);
   vtkNew<vtkBoneVoxelCheck> check;
   check->SetInputData(0, withoutGrid);
-  check->SetInputData(1, map);
+  check->SetInputData(1, segments.MapOfFile);
   check->SetNumberOfThreads(arguments.Options.NumberOfThreads);
   AcceptMessages(UpdateFilter(check, Progress::Hidden), arguments.Inputs[0], warnings);
-  return { check->GetNumberOfComparedVoxels(), check->GetNumberOfChangedVoxels() };
+  const auto ofFile = Extract(segments.MapOfFile, segments.Chosen, arguments, warnings);
+  return { check->GetNumberOfComparedVoxels(), check->GetNumberOfChangedVoxels(),
+    ProvedDistanceOf(ofFile, surface, arguments, warnings) };
 }
 
 vtkSmartPointer<vtkPolyData> WithColorArray(vtkPolyData* surface)

@@ -17,7 +17,6 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace bonedecimate
@@ -28,8 +27,9 @@ struct SegmentSurfaces
   vtkSmartPointer<vtkImageData> Map;    ///< The map as it was extracted.
   /// The map of the file, if the other one is that of a network from which it was copied.
   vtkSmartPointer<vtkImageData> MapOfFile;
-  ModelLabels Model;      ///< How it was found.
-  std::string Note;       ///< Where names of labels are from; may be empty.
+  ModelLabels Model;                ///< How it was found.
+  std::vector<std::int64_t> Chosen; ///< Labels of the segments.
+  std::string Note;                 ///< Where names of labels are from; may be empty.
   PiecesOfLabels Changed; ///< What changed in the map on request; empty: nothing was requested.
 };
 
@@ -37,8 +37,17 @@ struct SegmentSurfaces
 /// Failure(ExitCode::InputRejected)
 SegmentSurfaces ExtractSegments(const Arguments& arguments, std::vector<std::string>& warnings);
 
-/// Voxels of the map of the file, and how many have another label in the surface.
-std::pair<std::int64_t, std::int64_t> CompareWithMapOfFile(vtkPolyData* surface, vtkImageData* map,
+/// How a surface of the map of a network differs from the map of the file.
+struct FileComparison
+{
+  std::int64_t Compared = 0; ///< Voxels of the file.
+  std::int64_t Changed = 0;  ///< Voxels of the file with another label in the surface.
+  /// mm, proved: no point of the surface is farther from the surface of the same segments that is
+  /// extracted from the file's voxels, nor the other way round.
+  double Distance = 0.0;
+};
+
+FileComparison CompareWithMapOfFile(vtkPolyData* surface, const SegmentSurfaces& segments,
   const Arguments& arguments, std::vector<std::string>& warnings);
 
 /// The surface with the colors of its labels as the cell array Color, which formats with colors

@@ -132,10 +132,11 @@ void PrintModelGrid(const ReportSubject& subject)
   if (subject.ModelGrid)
   {
     const auto count = [](std::int64_t number) { return GroupedText(static_cast<double>(number)); };
-    std::cout << "model grid      " << subject.ModelGrid->Sentence << ", "
-              << count(subject.ModelGrid->ChangedInFile) << " of "
-              << count(subject.ModelGrid->ComparedInFile)
-              << " voxels of the file have another label\n";
+    const FileComparison& ofFile = subject.ModelGrid->OfFile;
+    std::cout << "model grid      " << subject.ModelGrid->Sentence << ", " << count(ofFile.Changed)
+              << " of " << count(ofFile.Compared)
+              << " voxels of the file have another label; the surface of these voxels is at most "
+              << UpperBoundText(ofFile.Distance, 2) << " mm away\n";
   }
 }
 

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """--model-grid: label maps that were copied from the coarser grid of a network."""
 
+import math
+
 import numpy
 import vtk
 from vtk.util import numpy_support
@@ -75,6 +77,7 @@ class ModelGrid(ApplicationTest):
                 self.assertLess(of_file["changed"], 0.1 * of_file["compared"])
                 self.check_by_vtk(convention)
                 self.check_certificate(of_file)
+                self.check_distance_to_file(report["model_grid"]["distance_to_file"], text)
 
     def check_by_vtk(self, convention):
         """The voxels of the network, each label alone, by VTK's stencil."""
@@ -105,6 +108,23 @@ class ModelGrid(ApplicationTest):
         self.assertIn("model grid           the label map is a copy", text)
         self.assertEqual(voxels["changed"], 0)
         self.assertEqual(voxels["model_grid"]["changed_in_file"], of_file["changed"])
+
+    def check_distance_to_file(self, bound, text):
+        """Points of both surfaces by VTK's locators: none is farther, and some nearly as far."""
+        self.succeed("map.mha", "file.vtp", "--segments", "all", "--model-grid", "off", "--max-error", "0.001")
+        surfaces = [read(self.path(name)) for name in ("out.vtp", "file.vtp")]
+        largest = 0.0
+        for one, other in (surfaces, surfaces[::-1]):
+            distances = vtk.vtkDistancePolyDataFilter()
+            distances.SetInputData(0, one)
+            distances.SetInputData(1, other)
+            distances.SignedDistanceOff()
+            distances.ComputeSecondDistanceOff()
+            distances.Update()
+            largest = max(largest, distances.GetOutput().GetPointData().GetScalars().GetRange()[1])
+        self.assertLessEqual(largest, bound + 0.001)
+        self.assertGreater(largest, 0.8 * bound)
+        self.assertIn(f"the surface of these voxels is at most {math.ceil(100 * bound) / 100:.2f} mm away", text)
 
     def test_off_keeps_the_voxels_of_the_file(self):
         self.write("corners")
