@@ -56,6 +56,7 @@ const std::vector<ArgumentRow>& ArgumentTable()
       [](const A& a) { return !a.Picture.empty(); } },
     { "--jobs", { Need::ManyFiles }, [](const A& a) { return a.Jobs > 0; } },
     { "--time-limit", { Need::ManyFiles }, [](const A& a) { return a.TimeLimit > 0.0; } },
+    { "--memory-limit", { Need::ManyFiles }, [](const A& a) { return a.MemoryLimit > 0; } },
     { "--shard", { Need::ManyFiles }, [](const A& a) { return a.Shard.Of > 0; } },
     { "--force", { Need::ManyFiles }, [](const A& a) { return a.Force; } },
     { "--only", { Need::ManyFiles }, [](const A& a) { return !a.Only.empty(); } },

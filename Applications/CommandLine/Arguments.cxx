@@ -214,6 +214,7 @@ void AddBatchFlags(CLI::App& app, Arguments& arguments)
     { "--time-limit", "S", { 1, 1e6, false, "seconds" },
       "Many bones: an input that takes longer is stopped and has failed. Default: no limit." },
     [&arguments](double seconds) { arguments.TimeLimit = seconds; });
+  AddMemoryLimit(app, arguments);
   app
     .add_option_function<std::string>(
       "--shard", [&arguments](const std::string& text) { arguments.Shard = ReadShard(text); },

@@ -72,7 +72,8 @@ struct Arguments
   /// @name Many bones only. @{
   int Jobs = 0; ///< 0: not given.
   ShardOfBatch Shard;
-  double TimeLimit = 0.0; ///< Seconds for one input; 0: not limited.
+  double TimeLimit = 0.0;       ///< Seconds for one input; 0: not limited.
+  std::int64_t MemoryLimit = 0; ///< Bytes for one input; 0: not limited.
   bool Force = false;
   std::string Only; ///< A pattern of the names of files in input folders; empty: all.
   /// @}

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Batch.h"
 
+#include "BatchJob.h"
 #include "BatchPlan.h"
 #include "BatchTable.h"
 #include "BoneVolume.h"
-#include "ChildProcess.h"
 #include "FileNames.h"
 #include "FilePath.h"
 #include "Interruption.h"
@@ -97,20 +97,6 @@ public:
   }
 
 private:
-  struct Job
-  {
-    Job(std::size_t bone, const std::string& self, const std::vector<std::string>& words)
-      : Bone(bone)
-      , Child(self, words)
-    {
-    }
-
-    std::size_t Bone;
-    ChildProcess Child;
-    std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
-    bool IsLate = false; // longer at work than the limit, and interrupted
-  };
-
   /// Makes a folder, which is removed again if it ends up empty.
   void MakeFolder(const std::string& path)
   {
@@ -144,7 +130,7 @@ private:
     if (IsInterrupted())
     {
       this->ToDo.clear();
-      for (Job& job : this->Running)
+      for (BatchJob& job : this->Running)
       {
         job.Child.Interrupt();
       }
@@ -208,10 +194,11 @@ private:
     // in this one.
     std::error_code ignored;
     std::filesystem::remove(FilePath(this->Bones[bone].Report), ignored);
+    std::filesystem::remove(FilePath(this->LogOf(bone)), ignored);
     try
     {
       this->MakeFolder(FolderAround(this->Bones[bone].Output));
-      this->Running.emplace_back(bone, this->Self, WordsFor(this->Bones[bone], this->Requested));
+      this->Running.emplace_back(bone, this->Self, this->Bones[bone], this->Requested);
     }
     catch (const Failure& failure)
     {
@@ -224,7 +211,7 @@ private:
     const std::size_t before = this->Running.size();
     for (auto job = this->Running.begin(); job != this->Running.end();)
     {
-      this->InterruptIfLate(*job);
+      job->InterruptBeyondLimits();
       if (job->Child.HasEnded())
       {
         this->Note(*job);
@@ -245,18 +232,7 @@ private:
     }
   }
 
-  void InterruptIfLate(Job& job) const
-  {
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - job.Begin;
-    if (this->Requested.TimeLimit > 0.0 && seconds.count() > this->Requested.TimeLimit &&
-      !job.IsLate)
-    {
-      job.IsLate = true;
-      job.Child.Interrupt();
-    }
-  }
-
-  void Note(const Job& job)
+  void Note(const BatchJob& job)
   {
     if (job.Child.HasDied())
     {
@@ -275,15 +251,34 @@ private:
         return this->EndOwn(job.Bone, "skipped", ExitCode::Done, message);
       }
     }
-    if (job.IsLate && code == ExitCode::Interrupted)
+    if (!job.Excess.empty() && code == ExitCode::Interrupted)
     {
-      return this->EndOwn(job.Bone, "failed", code,
-        "took longer than the " + GroupedText(this->Requested.TimeLimit) +
-          " s of --time-limit, and was stopped");
+      return this->EndOwn(job.Bone, "failed", job.CodeOfExcess, job.Excess + ", and was stopped");
     }
     const bool stopped = code == ExitCode::Interrupted;
+    if (code != ExitCode::Done && !stopped)
+    {
+      this->WriteLog(job);
+    }
     this->EndOwn(job.Bone, code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed"),
       code, job.Child.GetMessage());
+  }
+
+  std::string LogOf(std::size_t bone) const
+  {
+    return this->Requested.Output + "/" + this->Bones[bone].Name + ".log";
+  }
+
+  /// All that an input said before it failed; its row has the first line.
+  void WriteLog(const BatchJob& job) const
+  {
+    try
+    {
+      WriteTextFile(this->LogOf(job.Bone), job.Child.GetErrors());
+    }
+    catch (const Failure&) // the row is enough
+    {
+    }
   }
 
   /// What became of an input that was at work in this batch.
@@ -355,7 +350,7 @@ private:
   std::list<StagedFolder> Folders;
   std::optional<SharedFolder> Shared; // while inputs are at work
   std::deque<std::size_t> ToDo;
-  std::list<Job> Running;
+  std::list<BatchJob> Running;
   std::chrono::steady_clock::time_point NextLook; // at inputs that are at work in other batches
   std::size_t Shown = 0;
   bool Terminal;

@@ -9,6 +9,7 @@
 
 #include "ExitCode.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,10 +39,15 @@ public:
 
   int GetProcess() const;
 
+  /// Bytes of physical memory that it has now; 0 if it has ended, or the system does not tell.
+  std::int64_t GetMemory() const;
+
   /// Exit code of an ended child. One that died counts as out of memory, the usual cause.
   ExitCode GetCode() const;
 
-  /// What it said on its standard error, or what it died of.
+  /// What it wrote on its standard error.
+  std::string GetErrors() const;
+  /// The first line of that, or what it died of.
   std::string GetMessage() const;
 
 private:

@@ -30,10 +30,11 @@ constexpr std::int64_t PartsOfMemory = 8;
 constexpr std::int64_t PartsOfASlab = 4;
 constexpr std::int64_t LeastTriangles = 20000;
 
+}
+
 std::string MiBText(std::int64_t bytes)
 {
   return std::to_string((bytes + MiB - 1) / MiB) + " MiB";
-}
 }
 
 std::optional<std::int64_t> ParseMemory(const std::string& text)
@@ -49,21 +50,12 @@ std::optional<std::int64_t> ParseMemory(const std::string& text)
     : std::nullopt;
 }
 
-void AddMemory(CLI::App& app, Arguments& arguments)
+namespace
 {
-  app
-    .add_option_function<std::string>(
-      "--memory",
-      [&arguments](const std::string& text)
-      {
-        arguments.Memory = *ParseMemory(text);
-        arguments.Given["memory"] = text;
-      },
-      WrappedHelp(
-        "With --iso or --segments: the memory that the run may use, such as 4G (K, M, G and T are "
-        "powers of 1024; at least 256M). A volume that needs more is processed in slabs, "
-        "within the same largest error of the whole surface. Takes no numbers of triangles, "
-        "smoothing, pruning, filled cavities, regions, references or pictures."))
+void AddMemoryOption(CLI::App& app, const std::string& flag,
+  const std::function<void(const std::string& text)>& take, const std::string& help)
+{
+  app.add_option_function<std::string>(flag, take, WrappedHelp(help))
     ->type_name("SIZE")
     ->check(CLI::Validator(
       [](std::string& text)
@@ -72,6 +64,32 @@ void AddMemory(CLI::App& app, Arguments& arguments)
                                  : "takes a size of at least 256M such as 4G, not '" + text + "'";
       },
       ""));
+}
+
+}
+
+void AddMemory(CLI::App& app, Arguments& arguments)
+{
+  AddMemoryOption(
+    app, "--memory",
+    [&arguments](const std::string& text)
+    {
+      arguments.Memory = *ParseMemory(text);
+      arguments.Given["memory"] = text;
+    },
+    "With --iso or --segments: the memory that the run may use, such as 4G (K, M, G and T are "
+    "powers of 1024; at least 256M). A volume that needs more is processed in slabs, "
+    "within the same largest error of the whole surface. Takes no numbers of triangles, "
+    "smoothing, pruning, filled cavities, regions, references or pictures.");
+}
+
+void AddMemoryLimit(CLI::App& app, Arguments& arguments)
+{
+  AddMemoryOption(
+    app, "--memory-limit",
+    [&arguments](const std::string& text) { arguments.MemoryLimit = *ParseMemory(text); },
+    "Many bones: an input that needs more memory, such as 8G, is stopped and has failed. Default: "
+    "no limit.");
 }
 
 void CheckMemory(const Arguments& arguments)

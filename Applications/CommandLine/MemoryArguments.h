@@ -22,8 +22,12 @@ struct Arguments;
 /// "4G": a number of KiB, MiB, GiB or TiB; nothing if the text is none. @returns Bytes.
 std::optional<std::int64_t> ParseMemory(const std::string& text);
 
-/// Adds --memory.
+/// "512 MiB", rounded up.
+std::string MiBText(std::int64_t bytes);
+
+/// Adds --memory, and --memory-limit.
 void AddMemory(CLI::App& app, Arguments& arguments);
+void AddMemoryLimit(CLI::App& app, Arguments& arguments);
 
 /// @throws Failure(ExitCode::Usage) for options that a run in slabs does not have.
 void CheckMemory(const Arguments& arguments);

@@ -100,7 +100,7 @@ class Batch(ApplicationTest):
         shutil.move(self.bones / "out", self.path("out"))
         outputs = [str(p.relative_to(self.path("out"))) for p in sorted(self.path("out").rglob("*.*")) if p.is_file()]
         surfaces = ["a.ply", "b.stl", "left/scan.2/a.ply", "right/a_ply.ply", "right/a_stl.stl"]
-        self.assertEqual(outputs, sorted([*surfaces, *(name[:-3] + "json" for name in surfaces), "summary.csv", "summary.html"]))
+        self.assertEqual(outputs, sorted([*surfaces, *(name[:-3] + "json" for name in surfaces), "right/z.log", "summary.csv", "summary.html"]))
         self.assertEqual({row["input"]: row["status"] for row in self.rows().values()},
                          {"a.ply": "done", "b.stl": "done", "left/scan.2/a.ply": "done", "right/a.ply": "done", "right/a.stl": "done",
                           "right/z.ply": "failed"})

@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-from application import INTERRUPTED, PROGRAM, REJECTED, UNMEASURED, USAGE, ApplicationTest, main, sphere, torus, write
+from application import INTERRUPTED, NO_MEMORY, PROGRAM, REJECTED, UNMEASURED, USAGE, ApplicationTest, main, sphere, torus, write
 
 BONES = 24
 REDUCED = ("--target-reduction", "0.5", *UNMEASURED)
@@ -133,6 +133,29 @@ class SharedBatch(ApplicationTest):
         rows = {row["name"]: row for row in self.rows()}
         self.assertEqual((rows["a"]["status"], rows["b"]["status"]), ("failed", "done"))
         self.assertIn("took longer than the 1 s of --time-limit", rows["a"]["message"])
+
+    def test_an_input_that_needs_too_much_memory_is_stopped(self):
+        self.path("large").mkdir()
+        write(torus(900, 800), self.path("large/a.stl"))  # 1.4 million triangles: more than 256 MiB
+        write(sphere(), self.path("large/b.stl"))
+        words = ("large", "out", "--mode", "Accurate", "--max-error", 0.01, "--memory-limit", "256M")
+        self.assertEqual(self.run_program(*words).returncode, NO_MEMORY)
+        rows = {row["name"]: row for row in self.rows()}
+        self.assertEqual((rows["a"]["status"], rows["a"]["exit_code"], rows["b"]["status"]), ("failed", str(NO_MEMORY), "done"))
+        self.assertIn("needed more than the 256 MiB of --memory-limit", rows["a"]["message"])
+        self.assertFalse(self.path("out/a.stl").exists())
+
+    def test_a_failed_input_leaves_all_that_it_said(self):
+        self.path("mixed").mkdir()
+        self.path("mixed/bad.obj").write_text("v 0 0 0\nf 1 2 3\n")
+        write(sphere(), self.path("mixed/good.stl"))
+        alone = self.run_program("mixed/bad.obj", "alone.obj", *REDUCED)
+        self.assertEqual(self.run_program("mixed", "out", *REDUCED).returncode, REJECTED)
+        self.assertEqual(self.path("out/bad.log").read_text(), alone.stderr)
+        self.assertFalse(self.path("out/good.log").exists())
+        write(sphere(), self.path("mixed/bad.obj"))
+        self.succeed("mixed", "out", *REDUCED)
+        self.assertFalse(self.path("out/bad.log").exists())
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,6 +18,7 @@ namespace bonedecimate
 {
 namespace
 {
+constexpr std::size_t MaxErrors = 1 << 20; // bytes
 const char* const SelfLink = "/proc/self/exe";
 
 std::vector<char*> PointersTo(const std::string& self, const std::vector<std::string>& arguments)
@@ -106,6 +108,14 @@ int ChildProcess::GetProcess() const
   return this->Child->Process;
 }
 
+std::int64_t ChildProcess::GetMemory() const
+{
+  std::ifstream pages("/proc/" + std::to_string(this->Child->Process) + "/statm");
+  std::int64_t all = 0;
+  std::int64_t resident = 0;
+  return pages >> all >> resident ? resident * sysconf(_SC_PAGESIZE) : 0;
+}
+
 ExitCode ChildProcess::GetCode() const
 {
   const int signal = this->HasDied() ? WTERMSIG(this->Child->Status) : 0;
@@ -118,6 +128,15 @@ ExitCode ChildProcess::GetCode() const
   return known ? static_cast<ExitCode>(WEXITSTATUS(this->Child->Status)) : ExitCode::OutOfMemory;
 }
 
+std::string ChildProcess::GetErrors() const
+{
+  std::string text(MaxErrors, '\0');
+  std::FILE* const errors = this->Child->Errors.get();
+  const bool isAtStart = std::fseek(errors, 0, SEEK_SET) == 0;
+  text.resize(isAtStart ? std::fread(text.data(), 1, text.size(), errors) : 0);
+  return text;
+}
+
 std::string ChildProcess::GetMessage() const
 {
   if (this->HasDied())
@@ -125,10 +144,6 @@ std::string ChildProcess::GetMessage() const
     const int signal = WTERMSIG(this->Child->Status);
     return "its process died of signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
   }
-  std::string text(4096, '\0');
-  std::FILE* const errors = this->Child->Errors.get();
-  const bool isAtStart = std::fseek(errors, 0, SEEK_SET) == 0;
-  text.resize(isAtStart ? std::fread(text.data(), 1, text.size(), errors) : 0);
-  return MessageIn(text);
+  return MessageIn(this->GetErrors());
 }
 }

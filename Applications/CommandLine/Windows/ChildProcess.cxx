@@ -8,6 +8,8 @@
 #include <array>
 #include <system_error>
 #include <windows.h>
+// Needs the types of the header above.
+#include <psapi.h>
 
 #undef GetMessage // a macro for another function
 
@@ -15,6 +17,7 @@ namespace bonedecimate
 {
 namespace
 {
+constexpr std::size_t MaxErrors = 1 << 20;   // bytes
 constexpr DWORD LeastException = 0xC0000000; // of exit codes: the system ended the process
 
 /// As the C library takes a command line apart again: backslashes are plain but before quotes.
@@ -183,6 +186,14 @@ int ChildProcess::GetProcess() const
   return static_cast<int>(this->Child->Number);
 }
 
+std::int64_t ChildProcess::GetMemory() const
+{
+  PROCESS_MEMORY_COUNTERS counters = {};
+  return K32GetProcessMemoryInfo(this->Child->Process, &counters, sizeof(counters)) != 0
+    ? static_cast<std::int64_t>(counters.WorkingSetSize)
+    : 0;
+}
+
 ExitCode ChildProcess::GetCode() const
 {
   if (this->Child->Status == static_cast<DWORD>(STATUS_CONTROL_C_EXIT))
@@ -193,17 +204,22 @@ ExitCode ChildProcess::GetCode() const
   return known ? static_cast<ExitCode>(this->Child->Status) : ExitCode::OutOfMemory;
 }
 
+std::string ChildProcess::GetErrors() const
+{
+  std::string text(MaxErrors, '\0');
+  DWORD length = 0;
+  SetFilePointer(this->Child->Errors, 0, nullptr, FILE_BEGIN);
+  ReadFile(this->Child->Errors, text.data(), static_cast<DWORD>(text.size()), &length, nullptr);
+  text.resize(length);
+  return text;
+}
+
 std::string ChildProcess::GetMessage() const
 {
   if (this->HasDied())
   {
     return "its process ended with the exception " + std::to_string(this->Child->Status);
   }
-  std::string text(4096, '\0');
-  DWORD length = 0;
-  SetFilePointer(this->Child->Errors, 0, nullptr, FILE_BEGIN);
-  ReadFile(this->Child->Errors, text.data(), static_cast<DWORD>(text.size()), &length, nullptr);
-  text.resize(length);
-  return MessageIn(text);
+  return MessageIn(this->GetErrors());
 }
 }

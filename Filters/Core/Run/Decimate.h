@@ -4,18 +4,22 @@
  * @file Decimate.h
  * @brief Simplifies a surface; the result comes with its error in millimeters.
  *
- *     welded   = Weld(input)             on request; bounds of what follows are widened (WeldOperation.h)
+ *     welded   = Weld(input)                   on request; bounds of what follows are widened
+ *                                              (WeldOperation.h)
  *     closed   = CloseTunnels(welded)          on request; what follows refers to the closed
  *                                              surface (TunnelOperation.h)
- *     prepared = PrepareInput(input)       clean, prune, check the errors, build the half-edge mesh
+ *     prepared = PrepareInput(input)           clean, prune, check the errors, build the
+ *                                              half-edge mesh
  *     smoothed = SmoothInput(prepared)         positions within a bound, if smoothing is on; proved
  *                                              by their displacement
  *     editor   = MakeEditor(prepared)          the mesh with all that is kept beside it; proves
  *                                              edits if there is a bound
- *     RunStages(editor)                 the stages of the mode (Modes.h), until a target is reached
+ *     RunStages(editor)                        the stages of the mode (Modes.h), until a
+ *                                              target is reached
  *     SeparatePoints(editor)                   points of a proved result that rounding would merge
  *     result   = ExtractResult(editor)         points, triangles, maps
- *     Evaluate(result)                    statistics, distances in both directions, open boundaries
+ *     Evaluate(result)                         statistics, distances in both directions, open
+ *                                              boundaries
  *     ProveResult(input, result)               the certificate, if there is a bound
  *
  * H. Brandao, Mesh Simplification and Smoothing for Bone Fragment Models, BSc thesis, Groningen

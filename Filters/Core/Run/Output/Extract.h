@@ -21,6 +21,7 @@
 #include "Mesh/Cleaning.h"
 #include "Mesh/PointRounding.h"
 #include "Result.h"
+#include "Run/Input/Labels.h"
 
 namespace bonedecimate
 {
