@@ -37,4 +37,12 @@ std::string ExitCodesText()
   }
   return text;
 }
+
+void RequireUsage(bool isRight, const std::string& problem)
+{
+  if (!isRight)
+  {
+    throw Failure(ExitCode::Usage, problem);
+  }
+}
 }

@@ -45,6 +45,9 @@ public:
 
   ExitCode Code;
 };
+
+/// Rejects a command line. @throws Failure(ExitCode::Usage) unless it is right.
+void RequireUsage(bool isRight, const std::string& problem);
 }
 
 #endif

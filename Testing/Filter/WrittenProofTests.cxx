@@ -3,10 +3,10 @@
 // A file that is not what was proved: the check after writing, with a surface that changed in
 // between.
 #include "ExitCode.h"
+#include "Files/WrittenProof.h"
 #include "FilterRun.h"
 #include "Shapes.h"
 #include "VtkSurfaces.h"
-#include "WrittenProof.h"
 
 #include <gtest/gtest.h>
 

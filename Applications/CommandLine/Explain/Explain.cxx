@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Explain/Explain.h"
 
-#include "BatchPlan.h"
+#include "Arguments/HelpFormatter.h"
+#include "Batch/BatchPlan.h"
 #include "BoneVolume.h"
 #include "Explain/ExplainBound.h"
 #include "Explain/ExplainInput.h"
 #include "Explain/ExplainStages.h"
 #include "Explain/Explanation.h"
-#include "FilterRun.h"
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
-#include "HelpFormatter.h"
 #include "NumberText.h"
-#include "SegmentOutput.h"
+#include "Runs/FilterRun.h"
+#include "Segments/SegmentOutput.h"
 #include "VolumeFile.h"
 
 #include <CLI/CLI.hpp>

@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Applications_Explain_h
 #define BoneDecimate_Applications_Explain_h
 
-#include "Arguments.h"
+#include "Arguments/Arguments.h"
 #include "ExitCode.h"
 
 namespace bonedecimate

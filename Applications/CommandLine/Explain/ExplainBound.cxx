@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Explain/ExplainBound.h"
 
+#include "Arguments/FilterOptions.h"
+#include "Arguments/InputArguments.h"
 #include "Explain/ExplainInput.h"
 #include "Figures/BoundText.h"
-#include "FilterOptions.h"
-#include "InputArguments.h"
+#include "Files/OutputRounding.h"
 #include "NumberText.h"
-#include "OutputRounding.h"
 #include "Run/Input/SmoothingPlan.h"
 #include "Run/Input/VoxelSize.h"
 #include "SurfaceConversion.h"

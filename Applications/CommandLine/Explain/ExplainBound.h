@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Applications_ExplainBound_h
 #define BoneDecimate_Applications_ExplainBound_h
 
-#include "Arguments.h"
+#include "Arguments/Arguments.h"
 #include "Explain/Explanation.h"
 
 #include "vtkPolyData.h"

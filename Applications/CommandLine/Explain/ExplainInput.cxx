@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Explain/ExplainInput.h"
 
+#include "Arguments/FlagNames.h"
 #include "FilePath.h"
-#include "FlagNames.h"
 #include "Formats/FileChecks.h"
 #include "NamedArrays.h"
 #include "Run/Input/PrepareInput.h"
 #include "Run/Input/Tolerances.h"
-#include "SegmentOutput.h"
+#include "Segments/SegmentOutput.h"
 
 #include "vtkPolyData.h"
 

@@ -8,7 +8,7 @@
 #ifndef BoneDecimate_Applications_ExplainInput_h
 #define BoneDecimate_Applications_ExplainInput_h
 
-#include "Arguments.h"
+#include "Arguments/Arguments.h"
 #include "Explain/Explanation.h"
 
 class vtkPolyData;

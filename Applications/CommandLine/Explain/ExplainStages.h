@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Applications_ExplainStages_h
 #define BoneDecimate_Applications_ExplainStages_h
 
-#include "Arguments.h"
+#include "Arguments/Arguments.h"
 #include "Explain/Explanation.h"
 
 namespace bonedecimate

@@ -3,7 +3,7 @@
 #include "Formats/SurfaceFormat.h"
 
 #include "ExitCode.h"
-#include "FileNames.h"
+#include "Files/FileNames.h"
 
 #include <algorithm>
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels/LabelNames.h"
 
-#include "FileNames.h"
+#include "Files/FileNames.h"
 #include "Formats/FileChecks.h"
 #include "Labels/LabelTableSearch.h"
 #include "PlainText.h"
-#include "TotalSegmentator.h"
+#include "Segments/TotalSegmentator.h"
 
 #include <algorithm>
 #include <map>

@@ -8,8 +8,8 @@
 #ifndef BoneDecimate_Applications_LabelNames_h
 #define BoneDecimate_Applications_LabelNames_h
 
+#include "Arguments/SegmentArguments.h"
 #include "Labels/LabelTable.h"
-#include "SegmentArguments.h"
 
 #include "vtkFieldData.h"
 

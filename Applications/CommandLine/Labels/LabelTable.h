@@ -16,6 +16,9 @@
 
 namespace bonedecimate
 {
+/// Bytes of a file that a message quotes at most.
+inline constexpr std::size_t LongestQuote = 40;
+
 /// The labels of each region, by its name in lower case.
 using LabelRegions = std::map<std::string, std::vector<std::int64_t>>;
 

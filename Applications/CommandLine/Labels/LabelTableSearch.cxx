@@ -4,8 +4,8 @@
 
 #include "Base/Text.h"
 #include "BoneVolume.h"
-#include "FileNames.h"
 #include "FilePath.h"
+#include "Files/FileNames.h"
 #include "FolderEntries.h"
 #include "PlainText.h"
 

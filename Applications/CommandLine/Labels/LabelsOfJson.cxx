@@ -18,8 +18,6 @@ namespace
 {
 using Json = nlohmann::json;
 
-constexpr std::size_t LongestQuote = 40;
-
 /// With question marks for bytes that are no UTF-8.
 std::string ValidText(std::string text)
 {

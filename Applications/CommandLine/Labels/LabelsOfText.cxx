@@ -17,7 +17,6 @@ namespace bonedecimate
 namespace
 {
 constexpr const char* Blanks = " \t";
-constexpr std::size_t LongestQuote = 40;
 constexpr const char* NotThere = "n/a"; // of BIDS
 constexpr std::size_t Missing = std::string::npos;
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FileLock.h"
+#include "Files/FileLock.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Settings/ConfigurationFile.h"
 
-#include "CommandLine.h"
+#include "Arguments/NearestWord.h"
+#include "Commands/CommandLine.h"
 #include "ExitCode.h"
-#include "FileNames.h"
 #include "FilePath.h"
+#include "Files/FileNames.h"
 #include "Formats/FileChecks.h"
-#include "NearestWord.h"
 
 #include <CLI/CLI.hpp>
 

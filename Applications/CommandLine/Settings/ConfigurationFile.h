@@ -18,7 +18,7 @@
 #ifndef BoneDecimate_Applications_ConfigurationFile_h
 #define BoneDecimate_Applications_ConfigurationFile_h
 
-#include "CliForward.h"
+#include "Arguments/CliForward.h"
 
 #include <map>
 #include <string>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Settings/Settings.h"
 
+#include "Arguments/HelpFormatter.h"
+#include "Arguments/NearestWord.h"
 #include "Base/Text.h"
-#include "CommandLine.h"
+#include "Commands/CommandLine.h"
 #include "ExitCode.h"
-#include "FileNames.h"
-#include "HelpFormatter.h"
-#include "NearestWord.h"
+#include "Files/FileNames.h"
 #include "Options/Profiles.h"
 #include "Settings/ConfigurationFile.h"
 

@@ -8,7 +8,7 @@
 #ifndef BoneDecimate_Applications_Settings_h
 #define BoneDecimate_Applications_Settings_h
 
-#include "CliForward.h"
+#include "Arguments/CliForward.h"
 #include "Settings/SettingsRecord.h"
 
 #include <string>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tree/CommandTree.h"
 
+#include "Arguments/HelpFormatter.h"
 #include "Base/Text.h"
-#include "CommandLine.h"
-#include "HelpFormatter.h"
+#include "Commands/CommandLine.h"
 #include "Options/Profiles.h"
 #include "Tree/FileKinds.h"
 

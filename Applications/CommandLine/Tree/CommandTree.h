@@ -8,7 +8,7 @@
 #ifndef BoneDecimate_Applications_CommandTree_h
 #define BoneDecimate_Applications_CommandTree_h
 
-#include "CliForward.h"
+#include "Arguments/CliForward.h"
 
 #include <optional>
 #include <string>

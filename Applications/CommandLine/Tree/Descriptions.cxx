@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tree/Descriptions.h"
 
-#include "CommonOptions.h"
-#include "HelpFormatter.h"
+#include "Arguments/CommonOptions.h"
+#include "Arguments/HelpFormatter.h"
 #include "Options/OptionTable.h"
 #include "Options/OptionTableJson.h"
 #include "Options/Profiles.h"

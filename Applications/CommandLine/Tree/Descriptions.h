@@ -8,7 +8,7 @@
 #ifndef BoneDecimate_Applications_Descriptions_h
 #define BoneDecimate_Applications_Descriptions_h
 
-#include "CliForward.h"
+#include "Arguments/CliForward.h"
 
 namespace bonedecimate
 {

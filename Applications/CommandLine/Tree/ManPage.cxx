@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tree/ManPage.h"
 
+#include "Arguments/HelpFormatter.h"
 #include "ExitCode.h"
-#include "HelpFormatter.h"
 #include "Options/Profiles.h"
 #include "Run/Report/Report.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Interruption.h"
+#include "Terminal/Interruption.h"
 
 #include <atomic>
 #include <windows.h>

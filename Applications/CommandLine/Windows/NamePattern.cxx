@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "NamePattern.h"
+#include "Batch/NamePattern.h"
 
 #include "FilePath.h"
 

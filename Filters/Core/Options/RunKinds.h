@@ -38,7 +38,7 @@ struct RunKind
 };
 
 /// Rows of the kinds of run. Those of the program are in
-/// Applications/CommandLine/ArgumentKinds.cxx.
+/// Applications/CommandLine/Arguments/ArgumentKinds.cxx.
 const std::vector<RunKind>& RunKindTable();
 
 /// The row of that name, which there must be.

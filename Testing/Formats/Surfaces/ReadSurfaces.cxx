@@ -9,7 +9,7 @@
  *                       file was rejected
  */
 #include "ExitCode.h"
-#include "SurfaceFiles.h"
+#include "Files/SurfaceFiles.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,0 +1,364 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Batch.h"
+
+#include "BatchJob.h"
+#include "BatchPlan.h"
+#include "BatchTable.h"
+#include "BoneVolume.h"
+#include "FilePath.h"
+#include "Files/FileNames.h"
+#include "Files/StagedFile.h"
+#include "Files/StagedFolder.h"
+#include "NumberText.h"
+#include "Report/JsonReport.h"
+#include "Segments/SegmentChoice.h"
+#include "SharedFolder.h"
+#include "Terminal/Interruption.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <deque>
+#include <filesystem>
+#include <iostream>
+#include <list>
+#include <optional>
+#include <thread>
+#include <unistd.h>
+
+namespace bonedecimate
+{
+namespace
+{
+/// What a process that died left of a folder of segments, if the output is one.
+void RemoveSegmentFolder(int process, const std::string& output)
+{
+  std::error_code ignored;
+  if (std::filesystem::is_directory(FilePath(output), ignored))
+  {
+    RemoveStagedFilesOf(process, output);
+    std::filesystem::remove(FilePath(output), ignored); // only if it is empty
+  }
+}
+
+/// What was left out counts less than what failed.
+int Rank(ExitCode code)
+{
+  return code == ExitCode::Done ? 0 : code == ExitCode::LeftOut ? 1 : 1 + static_cast<int>(code);
+}
+
+constexpr std::size_t LongestName = 60; // longer names move the rest of their lines
+
+/// The folder that has the output, a file or a folder.
+std::string FolderAround(const std::string& output)
+{
+  const std::filesystem::path path = FilePath(output);
+  return (path.has_filename() ? path : path.parent_path()).parent_path().string();
+}
+
+class Batch
+{
+public:
+  Batch(const Arguments& arguments, const std::string& self)
+    : Requested(arguments)
+    , Self(self)
+    , Bones(PlanBatch(arguments))
+    , Rows(Bones.size())
+    , Terminal(!arguments.Quiet && isatty(STDOUT_FILENO) == 1)
+  {
+    for (std::size_t i = 0; i < this->Bones.size(); ++i)
+    {
+      this->Rows[i].Name = this->Bones[i].Name;
+      this->Rows[i].Input = PathBelow(this->Bones[i]);
+      this->NameWidth = std::max(this->NameWidth, std::min(this->Rows[i].Name.size(), LongestName));
+      this->ToDo.push_back(i);
+    }
+  }
+
+  ExitCode Run()
+  {
+    this->MakeFolder(this->Requested.Output);
+    this->WriteCsv();
+    this->Shared.emplace(this->Requested.Output);
+    this->Tell(BatchHeading(this->NameWidth));
+    while (!this->ToDo.empty() || !this->Running.empty())
+    {
+      this->StartSome();
+      this->CollectEnded();
+      this->ShowProgress();
+      this->Shared->Renew();
+    }
+    this->Shared.reset();
+    this->WriteCsv();
+    this->Tell(BatchCounts(this->Rows) + "; table: " + this->Table);
+    StopIfInterrupted();
+    return this->WorstCode();
+  }
+
+private:
+  /// Makes a folder, which is removed again if it ends up empty.
+  void MakeFolder(const std::string& path)
+  {
+    std::error_code error;
+    if (!std::filesystem::is_directory(FilePath(path), error))
+    {
+      this->Folders.emplace_back(path);
+    }
+  }
+
+  void StartSome()
+  {
+    const auto jobs = static_cast<std::size_t>(std::max(this->Requested.Jobs, 1));
+    const auto now = std::chrono::steady_clock::now();
+    std::deque<std::size_t> deferred;
+    while (!this->ToDo.empty() && this->Running.size() < jobs && !IsInterrupted() &&
+      now >= this->NextLook)
+    {
+      const std::size_t bone = this->ToDo.front();
+      this->ToDo.pop_front();
+      if (!this->Begin(bone))
+      {
+        deferred.push_back(bone);
+      }
+    }
+    if (this->ToDo.empty() && !deferred.empty())
+    {
+      this->NextLook = now + std::chrono::seconds(1); // until another batch has ended one
+    }
+    this->ToDo.insert(this->ToDo.end(), deferred.begin(), deferred.end());
+    if (IsInterrupted())
+    {
+      this->ToDo.clear();
+      for (BatchJob& job : this->Running)
+      {
+        job.Child.Interrupt();
+      }
+    }
+  }
+
+  /// Begins an input, or ends it if there is nothing to do. False: it is at work in another batch.
+  bool Begin(std::size_t index)
+  {
+    const BatchBone& bone = this->Bones[index];
+    if (!bone.IsBone())
+    {
+      this->End(index, "skipped", bone.CodeIfNot, bone.WhyNot);
+    }
+    else if (this->IsFinished(bone))
+    {
+      this->EndFinished(index);
+    }
+    else if (!this->Requested.Shard.Has(index))
+    {
+      this->End(index, "skipped", ExitCode::Done, "of another shard");
+    }
+    else if (const auto failure = this->Shared->FailureOf(bone.Name))
+    {
+      this->End(index, "failed", failure->Code, failure->Message);
+    }
+    else if (!this->Shared->Claim(bone.Name))
+    {
+      return false;
+    }
+    else if (this->IsFinished(bone)) // by another batch, a moment ago
+    {
+      this->Shared->Release(bone.Name);
+      this->EndFinished(index);
+    }
+    else
+    {
+      this->Start(index);
+    }
+    return true;
+  }
+
+  void EndFinished(std::size_t index)
+  {
+    const bool isNew = this->Shared->IsNew(this->Bones[index].Report);
+    this->End(index, isNew ? "done" : "skipped", ExitCode::Done,
+      isNew ? "" : "finished by an earlier run; --force does it again", true);
+  }
+
+  bool IsFinished(const BatchBone& bone) const
+  {
+    ReportSubject subject = SubjectOf(this->Requested, bone.Input, bone.Output);
+    subject.Given = OptionsFor(bone, this->Requested);
+    return (!this->Requested.Force || this->Shared->IsNew(bone.Report)) &&
+      ReportMatches(bone.Report, bone.Output, subject);
+  }
+
+  void Start(std::size_t bone)
+  {
+    // A report that does not fit the output any more would make a later run skip a bone that failed
+    // in this one.
+    std::error_code ignored;
+    std::filesystem::remove(FilePath(this->Bones[bone].Report), ignored);
+    std::filesystem::remove(FilePath(this->LogOf(bone)), ignored);
+    try
+    {
+      this->MakeFolder(FolderAround(this->Bones[bone].Output));
+      this->Running.emplace_back(bone, this->Self, this->Bones[bone], this->Requested);
+    }
+    catch (const Failure& failure)
+    {
+      this->EndOwn(bone, "failed", failure.Code, failure.what());
+    }
+  }
+
+  void CollectEnded()
+  {
+    const std::size_t before = this->Running.size();
+    for (auto job = this->Running.begin(); job != this->Running.end();)
+    {
+      job->InterruptBeyondLimits();
+      if (job->Child.HasEnded())
+      {
+        this->Note(*job);
+        job = this->Running.erase(job);
+      }
+      else
+      {
+        ++job;
+      }
+    }
+    if (this->Running.size() < before)
+    {
+      this->WriteCsv();
+    }
+    else if (!this->Running.empty())
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+
+  void Note(const BatchJob& job)
+  {
+    if (job.Child.HasDied())
+    {
+      const BatchBone& bone = this->Bones[job.Bone];
+      RemoveStagedFilesOf(job.Child.GetProcess(), FolderAround(bone.Output));
+      RemoveSegmentFolder(job.Child.GetProcess(), bone.Output);
+    }
+    const ExitCode code = job.Child.GetCode();
+    for (const char* reason : { NoLabelReason, NoChosenVoxelReason, NoSeriesReason })
+    {
+      const std::size_t begin = job.Child.GetMessage().find(reason);
+      if (code == ExitCode::InputRejected &&
+        begin != std::string::npos) // a structure out of view, a scan of another kind
+      {
+        const std::string message = job.Child.GetMessage().substr(begin);
+        return this->EndOwn(job.Bone, "skipped", ExitCode::Done, message);
+      }
+    }
+    if (!job.Excess.empty() && code == ExitCode::Interrupted)
+    {
+      return this->EndOwn(job.Bone, "failed", job.CodeOfExcess, job.Excess + ", and was stopped");
+    }
+    const bool stopped = code == ExitCode::Interrupted;
+    if (code != ExitCode::Done && !stopped)
+    {
+      this->WriteLog(job);
+    }
+    this->EndOwn(job.Bone, code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed"),
+      code, job.Child.GetMessage());
+  }
+
+  std::string LogOf(std::size_t bone) const
+  {
+    return this->Requested.Output + "/" + this->Bones[bone].Name + ".log";
+  }
+
+  /// All that an input said before it failed; its row has the first line.
+  void WriteLog(const BatchJob& job) const
+  {
+    try
+    {
+      WriteTextFile(this->LogOf(job.Bone), job.Child.GetErrors());
+    }
+    catch (const Failure&) // the row is enough
+    {
+    }
+  }
+
+  /// What became of an input that was at work in this batch.
+  void EndOwn(
+    std::size_t bone, const std::string& status, ExitCode code, const std::string& message)
+  {
+    if (status == "failed")
+    {
+      this->Shared->NoteFailure(this->Bones[bone].Name, { code, message });
+    }
+    this->Shared->Release(this->Bones[bone].Name);
+    this->End(bone, status, code, message, status == "done");
+  }
+
+  /// What became of a bone, in its row and in a line.
+  /// @param hasReport Whether the report in the output folder is that of this input.
+  void End(std::size_t bone, const std::string& status, ExitCode code, const std::string& message,
+    bool hasReport = false)
+  {
+    BatchRow& row = this->Rows[bone];
+    row.Status = status;
+    row.Code = code;
+    row.Message = message;
+    if (hasReport)
+    {
+      TakeReport(row, this->Bones[bone].Report);
+    }
+    this->Tell(BatchLine(row, this->NameWidth));
+  }
+
+  void WriteCsv() { this->Table = WriteTables(this->Requested.Output, this->Rows); }
+
+  void ShowProgress()
+  {
+    const std::size_t ended = this->Bones.size() - this->ToDo.size() - this->Running.size();
+    if (this->Terminal && ended != this->Shown)
+    {
+      this->Shown = ended;
+      std::cout << "\r" << ended << " of " << this->Bones.size() << " files" << std::flush;
+    }
+  }
+
+  /// A line, in place of the progress.
+  void Tell(const std::string& line) const
+  {
+    if (!this->Requested.Quiet)
+    {
+      if (this->Terminal)
+      {
+        std::fputs("\r\033[K", stdout); // the stream takes no commands of terminals
+      }
+      std::cout << line << '\n' << std::flush;
+    }
+  }
+
+  ExitCode WorstCode() const
+  {
+    const auto worst = std::max_element(this->Rows.begin(), this->Rows.end(),
+      [](const BatchRow& a, const BatchRow& b) { return Rank(a.Code) < Rank(b.Code); });
+    return worst->Code;
+  }
+
+  const Arguments& Requested;
+  const std::string& Self;
+  std::vector<BatchBone> Bones;
+  std::vector<BatchRow> Rows;
+  std::string Table;         // path of summary.csv
+  std::size_t NameWidth = 4; // of "name"
+  std::list<StagedFolder> Folders;
+  std::optional<SharedFolder> Shared; // while inputs are at work
+  std::deque<std::size_t> ToDo;
+  std::list<BatchJob> Running;
+  std::chrono::steady_clock::time_point NextLook; // at inputs that are at work in other batches
+  std::size_t Shown = 0;
+  bool Terminal;
+};
+}
+
+ExitCode RunBatch(const Arguments& arguments, const std::string& self)
+{
+  return Batch(arguments, self).Run();
+}
+}

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Demo.h"
+
+#include "Arguments/Arguments.h"
+#include "Arguments/CommonOptions.h"
+#include "Arguments/HelpFormatter.h"
+#include "CommandLine.h"
+#include "ExitCode.h"
+#include "FilePath.h"
+#include "PhantomScan.h"
+#include "PlainText.h"
+#include "Report/Summary.h"
+#include "Runs/RunOne.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <system_error>
+
+namespace bonedecimate
+{
+namespace
+{
+constexpr const char* ThresholdOfBone = "226"; // HU
+constexpr const char* LargestError = "0.5";    // mm
+
+/// @return The path of the CT.
+std::string WriteScanInto(const std::string& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(FilePath(folder), error);
+  std::string path = folder + "/ct.mha";
+  if (error ||
+    !phantom::WriteScan(path, *phantom::FindScan("small"), phantom::Content::Intensities))
+  {
+    throw Failure(ExitCode::CouldNotWrite, "could not write '" + path + "'");
+  }
+  return path;
+}
+
+void Run(const std::string& folder)
+{
+  Arguments arguments;
+  arguments.Inputs = { WriteScanInto(folder), folder + "/bone.vtp" };
+  arguments.Also = { folder + "/bone.stl" };
+  arguments.Report = folder + "/report.json";
+  arguments.Page = folder + "/report.html";
+  arguments.Iso = std::stod(ThresholdOfBone);
+  GiveOption(arguments, *FindOption("MaximumError"), LargestError);
+  arguments.Quiet = true;
+  std::cout << "bonedecimate " << PlainText(arguments.Inputs[0]) << " "
+            << PlainText(arguments.Inputs[1]) << " --iso " << ThresholdOfBone << " --max-error "
+            << LargestError << " --also " << PlainText(arguments.Also[0]) << " --report "
+            << PlainText(arguments.Report) << " --page " << PlainText(arguments.Page) << "\n"
+            << std::flush;
+  TakeFiles(arguments);
+  CheckArguments(arguments);
+  PrintShortSummary(RunOne(arguments));
+  std::cout << "Open " << PlainText(arguments.Page) << " in a browser.\n";
+}
+}
+
+void AddDemoCommand(CLI::App& program)
+{
+  const auto folder = std::make_shared<std::string>("bonedecimate-demo");
+  CLI::App& command = AddCommand(program, "demo", { "[FOLDER]" },
+    "Writes the CT of a phantom of a broken bone into a folder, and the bone with at most 0.5 mm "
+    "of "
+    "error, its report and its page; prints the command that does the same with another CT.");
+  command
+    .add_option("FOLDER", *folder, WrappedHelp("Where the files go. Default bonedecimate-demo."))
+    ->type_name("");
+  command.final_callback([folder] { Run(*folder); });
+}
+}

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SummaryCommand.h"
+
+#include "Arguments/CommonOptions.h"
+#include "Arguments/HelpFormatter.h"
+#include "Batch/BatchTable.h"
+#include "CommandLine.h"
+#include "ExitCode.h"
+#include "FilePath.h"
+#include "FolderEntries.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace bonedecimate
+{
+namespace
+{
+struct SummaryArguments
+{
+  std::string Folder;
+  bool Quiet = false;
+};
+
+/// The input of a report of this program; empty: the file is none.
+std::string InputOfReport(const fs::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+  const nlohmann::json::json_pointer input("/files/input");
+  const bool isReport = json.is_object() && json.contains(input) && json[input].is_string() &&
+    json.contains(nlohmann::json::json_pointer("/output/triangles"));
+  return isReport ? json[input].get<std::string>() : std::string();
+}
+
+/// The name that a batch gives to the outputs: report.json lies in a folder of that name.
+std::string NameOfReport(const fs::path& file, const fs::path& root)
+{
+  const fs::path below = file.lexically_relative(root);
+  const bool isOfFolder = below.filename() == "report.json" && below.has_parent_path();
+  return (isOfFolder ? below.parent_path() : fs::path(below).replace_extension()).generic_string();
+}
+
+void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>& rows)
+{
+  std::error_code error;
+  for (const fs::path& path : FolderEntries(folder, error))
+  {
+    std::error_code ignored;
+    const bool isHidden = path.filename().string()[0] == '.';
+    if (!isHidden && fs::is_directory(path, ignored) && !fs::is_symlink(path, ignored))
+    {
+      AddRows(path, root, rows);
+    }
+    const std::string input =
+      !isHidden && path.extension() == ".json" ? InputOfReport(path) : std::string();
+    if (!input.empty())
+    {
+      BatchRow row;
+      row.Name = NameOfReport(path, root);
+      row.Input = (fs::path(row.Name).parent_path() / FilePath(input)).generic_string();
+      row.Status = "done";
+      row.Code = ExitCode::Done;
+      TakeReport(row, path.string());
+      rows.push_back(std::move(row));
+    }
+  }
+  if (error)
+  {
+    throw Failure(
+      ExitCode::InputRejected, "'" + folder.string() + "' could not be read: " + error.message());
+  }
+}
+
+void Run(const SummaryArguments& arguments)
+{
+  const fs::path root = FilePath(arguments.Folder);
+  std::vector<BatchRow> rows;
+  AddRows(root, root, rows);
+  if (rows.empty())
+  {
+    throw Failure(ExitCode::InputRejected, "no report is in '" + arguments.Folder + "'");
+  }
+  const std::string table = WriteTables(arguments.Folder, rows);
+  if (!arguments.Quiet)
+  {
+    std::size_t width = 4; // of "name"
+    for (const BatchRow& row : rows)
+    {
+      width = std::max(width, row.Name.size());
+    }
+    std::cout << BatchHeading(width) << "\n";
+    for (const BatchRow& row : rows)
+    {
+      std::cout << BatchLine(row, width) << "\n";
+    }
+    std::cout << BatchCounts(rows) << "; table: " << table << "\n";
+  }
+}
+}
+
+void AddSummaryCommand(CLI::App& program)
+{
+  const auto arguments = std::make_shared<SummaryArguments>();
+  CLI::App& command = AddCommand(program, "summary", { "FOLDER [OPTIONS]" },
+    "Writes summary.csv of a folder of results from the reports in it, whatever batches wrote "
+    "them.");
+  command.add_option("FOLDER", arguments->Folder, WrappedHelp("The output folder of batches."))
+    ->type_name("")
+    ->required();
+  AddQuiet(command, arguments->Quiet);
+  command.final_callback([arguments] { Run(*arguments); });
+}
+}

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "JsonReport.h"
+
+#include "FilePath.h"
+#include "Files/FileNames.h"
+#include "Files/StagedFile.h"
+#include "ReportFields.h"
+#include "ReportOfSurface.h"
+#include "Run/Report/Report.h"
+#include "VoxelSection.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace bonedecimate
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+/// What a later run compares: see ReportMatches().
+Json CommandLineOf(const ReportSubject& subject)
+{
+  Json given = Json::object();
+  for (const auto& [flag, text] : subject.Given)
+  {
+    if (flag != "threads")
+    {
+      given[flag] = text;
+    }
+  }
+  return given;
+}
+
+/// Null for what is not known.
+template <typename Value>
+Json ValueOrNull(const std::optional<Value>& value)
+{
+  return value ? Json(*value) : Json();
+}
+
+Json JsonOf(const ModelGridRecord& model)
+{
+  return { { "sentence", model.Sentence }, { "spacing", model.Spacing },
+    { "dimensions", model.Dimensions }, { "chance", model.Chance },
+    { "changed_copies", model.Different },
+    { "voxels_of_file",
+      { { "compared", model.OfFile.Compared }, { "changed", model.OfFile.Changed } } },
+    { "distance_to_file", model.OfFile.Distance } };
+}
+
+Json JsonOf(const SegmentRecord& segment)
+{
+  Json json = { { "label", segment.Label.Value }, { "name", segment.Label.Name },
+    { "color", ValueOrNull(segment.Label.Color) }, { "triangles", segment.Triangles },
+    { "components", segment.Volumes.size() } };
+  constexpr std::size_t mostListed = 32;
+  json["volumes"] = std::vector<double>(segment.Volumes.begin(),
+    segment.Volumes.begin() +
+      static_cast<std::ptrdiff_t>(std::min(segment.Volumes.size(), mostListed)));
+  if (segment.Changed)
+  {
+    json["changed_before"] = JsonOfPieces(*segment.Changed);
+  }
+  if (!segment.File.empty())
+  {
+    json["file"] = segment.File;
+    json["bytes"] = segment.Bytes;
+  }
+  return json;
+}
+
+Json JsonOf(const std::vector<SegmentRecord>& segments, vtkPolyData* result)
+{
+  const ReportFields fields(result);
+  Json json = { { "bound_in_voxels", ValueOrNull(BoundInVoxels(fields)) },
+    { "kept_voxels", ValueOrNull(KeptVoxels(fields)) }, { "list", Json::array() } };
+  for (const SegmentRecord& segment : segments)
+  {
+    json["list"].push_back(JsonOf(segment));
+  }
+  return json;
+}
+
+/// The size of an output file; of a folder, the files of its segments together. None if one of them
+/// is missing.
+std::optional<std::uintmax_t> BytesOf(const std::string& output, const Json& report)
+{
+  std::error_code error;
+  if (!std::filesystem::is_directory(FilePath(output), error))
+  {
+    const std::uintmax_t bytes = std::filesystem::file_size(FilePath(output), error);
+    return error ? std::nullopt : std::optional<std::uintmax_t>(bytes);
+  }
+  std::uintmax_t bytes = 0;
+  const Json::json_pointer list("/segments/list");
+  for (const Json& segment : report.contains(list) ? report[list] : Json::array())
+  {
+    const bool hasFile =
+      segment.is_object() && segment.contains("file") && segment["file"].is_string();
+    bytes += hasFile ? std::filesystem::file_size(
+                         FilePath(output) / FilePath(segment["file"].get<std::string>()), error)
+                     : 0;
+    if (error)
+    {
+      return std::nullopt;
+    }
+  }
+  return bytes;
+}
+}
+
+ReportSubject SubjectOf(
+  const Arguments& arguments, const std::string& input, const std::string& output)
+{
+  ReportSubject subject;
+  subject.Input = BaseName(input);
+  subject.Output = BaseName(output);
+  subject.Unit = arguments.Unit.Name;
+  subject.InputStamp = StampOf(input);
+  subject.Given = arguments.Given;
+  subject.Settings = arguments.Settings;
+  return subject;
+}
+
+std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
+{
+  Json report = ReportOf(result);
+  report["seconds"]["read"] = subject.SecondsRead;
+  report["seconds"]["write"] = subject.SecondsWrite;
+  report["seconds"]["total"] = subject.SecondsTotal;
+  report["files"]["input"] = subject.Input;
+  report["files"]["input_bytes"] = subject.InputStamp.Bytes;
+  report["files"]["input_modified"] = subject.InputStamp.Modified;
+  report["files"]["output"] = subject.Output;
+  report["files"]["output_bytes"] = subject.OutputBytes;
+  report["files"]["unit"] = subject.Unit;
+  if (!subject.CoordinateSystem.empty())
+  {
+    report["files"]["coordinate_system"] = subject.CoordinateSystem;
+  }
+  if (!subject.ProvedFiles.empty())
+  {
+    report["proof"]["files"] = subject.ProvedFiles;
+  }
+  report["command_line"] = CommandLineOf(subject);
+  AddSettingsTo(report, subject.Settings);
+  report["warnings"] = subject.Warnings;
+  report["notes"] = subject.Notes;
+  if (subject.Slabs)
+  {
+    report["slabs"] = { { "count", subject.Slabs->Slabs },
+      { "largest_triangles", subject.Slabs->MaxSlab },
+      { "unproved", subject.Slabs->UnprovedSlabs } };
+  }
+  if (subject.Segments.empty() && !subject.Changed.empty())
+  {
+    report["changed_before"] = JsonOfPieces(subject.Changed.begin()->second);
+  }
+  if (subject.ModelGrid)
+  {
+    report["model_grid"] = JsonOf(*subject.ModelGrid);
+  }
+  if (!subject.Segments.empty())
+  {
+    report["segments"] = JsonOf(subject.Segments, result);
+  }
+  return JsonText(report);
+}
+
+std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject& subject)
+{
+  Json report = output != nullptr ? Json::parse(CertificateJsonOf(output))
+                                  : Json({ { "version", Version() }, { "problem", "" },
+                                      { "status", "not_requested" }, { "units", Json::object() } });
+  if (subject.Tolerance)
+  {
+    report["tolerance"] = *subject.Tolerance;
+    report["units"]["tolerance"] = "mm";
+  }
+  if (!subject.ToleranceArray.empty())
+  {
+    report["tolerance_array"] = subject.ToleranceArray;
+  }
+  if (!subject.Voxels.is_null())
+  {
+    report["voxels"] = subject.Voxels;
+  }
+  for (const auto& [name, file] : { std::pair("reference", &subject.Reference),
+         std::pair("result", &subject.Result), std::pair("label_map", &subject.LabelMap) })
+  {
+    if (!file->empty())
+    {
+      report["files"][name] = BaseName(*file);
+    }
+  }
+  report["files"]["unit"] = subject.Unit;
+  report["warnings"] = subject.Warnings;
+  if (!subject.ReportOfResult.empty())
+  {
+    report["report_in_file"] = subject.ReportOfResult;
+  }
+  AddSettingsTo(report, subject.Settings);
+  return JsonText(report);
+}
+
+std::string JsonText(const nlohmann::ordered_json& json)
+{
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void WriteJsonFile(const std::string& path, const nlohmann::ordered_json& json)
+{
+  WriteTextFile(path, JsonText(json));
+}
+
+bool ReportMatches(
+  const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject)
+{
+  std::ifstream stream(reportFile, std::ios::binary);
+  const Json report = Json::parse(stream, nullptr, false);
+  const std::optional<std::uintmax_t> bytes =
+    report.is_object() ? BytesOf(outputFile, report) : std::nullopt;
+  const auto at = [&report](const char* pointer)
+  {
+    const Json::json_pointer position(pointer);
+    return report.contains(position) ? report[position] : Json();
+  };
+  return bytes && at("/version") == Version() && at("/command_line") == CommandLineOf(subject) &&
+    at("/files/input") == subject.Input && at("/files/input_bytes") == subject.InputStamp.Bytes &&
+    at("/files/input_modified") == subject.InputStamp.Modified &&
+    at("/files/output_bytes") == *bytes;
+}
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FilterRun.h
+ * @brief The steps that every command has in common: read, run a filter, collect messages, print
+ * warnings.
+ */
+#ifndef BoneDecimate_Applications_FilterRun_h
+#define BoneDecimate_Applications_FilterRun_h
+
+#include "Arguments/LengthUnit.h"
+#include "Terminal/ProgressDisplay.h"
+#include "Terminal/VtkMessages.h"
+
+#include "vtkAlgorithm.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// Reads a surface and appends what the reader warns of. @throws Failure(ExitCode::InputRejected)
+/// @throws Failure(ExitCode::Usage) if a unit was requested that the file, which names its own,
+///   does not have.
+void RequireUnitOfFile(
+  const MillimeterSurface& loaded, const std::string& path, const LengthUnit& unit);
+
+MillimeterSurface ReadInput(
+  const std::string& path, const LengthUnit& unit, std::vector<std::string>& warnings);
+
+/**
+ * Updates a filter.
+ * @param phase "simplifying": what the display calls it.
+ * @returns The messages of VTK during the update.
+ * @throws Failure(ExitCode::Interrupted)
+ */
+VtkMessages UpdateFilter(
+  vtkAlgorithm* filter, Progress progress, const std::string& phase = "processing");
+
+/**
+ * Appends the warnings.
+ * @param source The file to name if there is an error.
+ * @param unit The requested one of its coordinates.
+ * @throws Failure(ExitCode::InputRejected) with the first error.
+ */
+void AcceptMessages(const VtkMessages& messages, const std::string& source,
+  std::vector<std::string>& warnings, const LengthUnit& unit = {});
+
+void PrintWarnings(const std::vector<std::string>& warnings);
+}
+
+#endif
