@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneVolume.h"
 
-#include "DataFile.h"
 #include "FieldOfView.h"
 #include "IntensityChecks.h"
-#include "LabelVolume.h"
+#include "LabelMaps/LabelVolume.h"
 #include "OutwardContour.h"
+#include "Readers/DataFile.h"
 #include "VolumeFile.h"
 
 #include "vtkFieldData.h"

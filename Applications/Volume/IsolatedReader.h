@@ -15,7 +15,7 @@
 #ifndef BoneDecimate_Applications_IsolatedReader_h
 #define BoneDecimate_Applications_IsolatedReader_h
 
-#include "LayeredVolume.h"
+#include "Layers/LayeredVolume.h"
 
 #include <functional>
 #include <memory>

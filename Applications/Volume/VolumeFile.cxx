@@ -4,13 +4,13 @@
 
 #include "Base/Text.h"
 #include "BoneVolume.h"
-#include "DicomFolder.h"
+#include "Dicom/DicomFolder.h"
 #include "FilePath.h"
-#include "ImageFiles.h"
-#include "LabelFields.h"
-#include "MaskFolder.h"
-#include "TiffFolder.h"
-#include "VtiVolume.h"
+#include "LabelMaps/LabelFields.h"
+#include "LabelMaps/MaskFolder.h"
+#include "Readers/ImageFiles.h"
+#include "Readers/TiffFolder.h"
+#include "Readers/VtiVolume.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -9,7 +9,7 @@
 #define BoneDecimate_Applications_VolumeFile_h
 
 #include "IsolatedReader.h"
-#include "SegmentSelection.h"
+#include "LabelMaps/SegmentSelection.h"
 #include "Volume.h"
 #include "VoxelSpacing.h"
 

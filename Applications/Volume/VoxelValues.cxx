@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VoxelValues.h"
 
-#include "LabelFields.h"
+#include "LabelMaps/LabelFields.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

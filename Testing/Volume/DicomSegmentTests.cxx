@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CielabColor.h"
-#include "DicomText.h"
-#include "FrameGrid.h"
-#include "SegmentFrames.h"
+#include "Dicom/CielabColor.h"
+#include "Dicom/DicomText.h"
+#include "Dicom/FrameGrid.h"
+#include "Dicom/SegmentFrames.h"
 
 #include <gtest/gtest.h>
 

@@ -13,9 +13,9 @@
  * Testing/Volume/formats_test.py and Testing/Formats/Volumes compare it with what other programs
  * wrote and read.
  */
-#include "LabelVolume.h"
+#include "LabelMaps/LabelVolume.h"
+#include "LabelMaps/WholeLabels.h"
 #include "VolumeFile.h"
-#include "WholeLabels.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneVolume.h"
-#include "LabelVolume.h"
+#include "LabelMaps/LabelVolume.h"
 #include "Specimen.h"
 #include "SurfaceChecks.h"
 #include "VolumeFiles.h"

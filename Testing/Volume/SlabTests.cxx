@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BoneSlabs.h"
 #include "DicomFiles.h"
+#include "Layers/BoneSlabs.h"
+#include "Layers/SlabReader.h"
 #include "OutwardContour.h"
-#include "SlabReader.h"
 #include "Specimen.h"
 #include "SurfaceChecks.h"
 #include "VolumeFile.h"

@@ -8,7 +8,7 @@
 #include "ExitCode.h"
 #include "Formats/FileChecks.h"
 #include "HelpFormatter.h"
-#include "LabelVolume.h"
+#include "LabelMaps/LabelVolume.h"
 
 #include "vtkBoneDecimateAlgorithm.h"
 

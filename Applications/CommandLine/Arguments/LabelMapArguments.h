@@ -9,7 +9,7 @@
 #define BoneDecimate_Applications_LabelMapArguments_h
 
 #include "CliForward.h"
-#include "SegmentSelection.h"
+#include "LabelMaps/SegmentSelection.h"
 #include "VoxelSpacing.h"
 
 #include "vtkImageData.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels/LabelTable.h"
 
-#include "DataFile.h"
 #include "FilePath.h"
 #include "PlainText.h"
+#include "Readers/DataFile.h"
 
 #include <algorithm>
 #include <filesystem>

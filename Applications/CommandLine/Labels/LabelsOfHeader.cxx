@@ -3,7 +3,7 @@
 #include "Labels/LabelTable.h"
 
 #include "Base/Text.h"
-#include "NiftiExtensions.h"
+#include "Readers/NiftiExtensions.h"
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"

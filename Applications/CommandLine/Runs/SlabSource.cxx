@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SlabSource.h"
 
-#include "BoneSlabs.h"
+#include "Layers/BoneSlabs.h"
 #include "Segments/SegmentSlabs.h"
 #include "SurfaceConversion.h"
 

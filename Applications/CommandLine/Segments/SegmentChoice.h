@@ -9,9 +9,9 @@
 
 #include "Arguments/SegmentArguments.h"
 #include "Figures/LeftOut.h"
+#include "LabelMaps/SegmentSelection.h"
 #include "Labels/LabelTable.h"
 #include "NamedLabels.h"
-#include "SegmentSelection.h"
 
 #include "vtkImageData.h"
 

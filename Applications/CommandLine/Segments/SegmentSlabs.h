@@ -9,8 +9,8 @@
 #define BoneDecimate_Applications_SegmentSlabs_h
 
 #include "IsolatedReader.h"
+#include "Layers/SlabReader.h"
 #include "Runs/SlabSource.h"
-#include "SlabReader.h"
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Encoding.h"
+#include "Readers/Encoding.h"
 
 #include <array>
 #include <iconv.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SentFields.h"
 
-#include "LabelFields.h"
+#include "LabelMaps/LabelFields.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"

@@ -4,7 +4,7 @@
 
 #include "Base/Text.h"
 #include "BoneVolume.h"
-#include "TextNumbers.h"
+#include "Readers/TextNumbers.h"
 
 #include <algorithm>
 #include <functional>

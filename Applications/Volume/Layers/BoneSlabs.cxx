@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneSlabs.h"
 
-#include "DataFile.h"
 #include "IntensityChecks.h"
 #include "LayerDivision.h"
 #include "OutwardContour.h"
+#include "Readers/DataFile.h"
 #include "VolumeFile.h"
 
 #include <algorithm>

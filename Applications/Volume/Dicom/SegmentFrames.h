@@ -7,7 +7,7 @@
 #ifndef BoneDecimate_Applications_SegmentFrames_h
 #define BoneDecimate_Applications_SegmentFrames_h
 
-#include "Segmentation.h"
+#include "LabelMaps/Segmentation.h"
 
 #include <array>
 #include <cstddef>

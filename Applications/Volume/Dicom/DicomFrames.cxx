@@ -15,20 +15,14 @@ namespace bonedecimate::volume
 {
 namespace
 {
-const gdcm::Tag SharedGroups(0x5200, 0x9229);
-const gdcm::Tag FrameGroups(0x5200, 0x9230);
-const gdcm::Tag PlanePosition(0x0020, 0x9113);
-const gdcm::Tag PlaneOrientation(0x0020, 0x9116);
-const gdcm::Tag PixelMeasures(0x0028, 0x9110);
 const gdcm::Tag ValueTransformation(0x0028, 0x9145);
-const gdcm::Tag PixelsOfFrames(0x7fe0, 0x0010);
 
 /// False if it does not say where it lies.
 bool TakePosition(const FrameAttributes& frame, DicomSlice& slice)
 {
-  const auto position = frame.Numbers(PlanePosition, tags::Position, 3);
-  const auto orientation = frame.Numbers(PlaneOrientation, tags::Orientation, 6);
-  const auto spacing = frame.Numbers(PixelMeasures, tags::PixelSpacing, 2);
+  const auto position = frame.Numbers(tags::PlanePosition, tags::Position, 3);
+  const auto orientation = frame.Numbers(tags::PlaneOrientation, tags::Orientation, 6);
+  const auto spacing = frame.Numbers(tags::PixelMeasures, tags::PixelSpacing, 2);
   if (!position || !orientation || !spacing)
   {
     return false;
@@ -55,13 +49,13 @@ std::vector<DicomSlice> FramesOf(const DicomSlice& whole)
   const GdcmMessages messages;
   gdcm::Reader reader;
   reader.SetFileName(whole.File.c_str());
-  if (!reader.ReadUpToTag(PixelsOfFrames, std::set<gdcm::Tag>()))
+  if (!reader.ReadUpToTag(tags::PixelData, std::set<gdcm::Tag>()))
   {
     return {};
   }
   const gdcm::DataSet& data = reader.GetFile().GetDataSet();
-  const DicomItems shared(data, SharedGroups);
-  const DicomItems groups(data, FrameGroups);
+  const DicomItems shared(data, tags::SharedGroups);
+  const DicomItems groups(data, tags::FrameGroups);
   std::vector<DicomSlice> slices;
   for (std::size_t i = 0; i < groups.Count(); ++i)
   {

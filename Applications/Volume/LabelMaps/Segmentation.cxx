@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Segmentation.h"
 
-#include "TextNumbers.h"
+#include "Readers/TextNumbers.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

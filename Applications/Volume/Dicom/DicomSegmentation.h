@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Applications_DicomSegmentation_h
 #define BoneDecimate_Applications_DicomSegmentation_h
 
-#include "LayeredVolume.h"
-#include "SegmentSelection.h"
+#include "LabelMaps/SegmentSelection.h"
+#include "Layers/LayeredVolume.h"
 
 #include <string>
 

@@ -8,8 +8,8 @@
 #ifndef BoneDecimate_Applications_DicomFolder_h
 #define BoneDecimate_Applications_DicomFolder_h
 
-#include "LayeredVolume.h"
-#include "SegmentSelection.h"
+#include "LabelMaps/SegmentSelection.h"
+#include "Layers/LayeredVolume.h"
 
 #include <string>
 #include <vector>

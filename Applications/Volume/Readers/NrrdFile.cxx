@@ -8,8 +8,8 @@
 #include "HeaderUnit.h"
 #include "IntensityChecks.h"
 #include "ItkImage.h"
+#include "LabelMaps/Segmentation.h"
 #include "NrrdText.h"
-#include "Segmentation.h"
 #include "StoredVoxels.h"
 
 #include <NrrdIO.h>

@@ -8,8 +8,8 @@
 #define BoneDecimate_Applications_SegmentationHeader_h
 
 #include "FrameGrid.h"
+#include "LabelMaps/Segmentation.h"
 #include "SegmentFrames.h"
-#include "Segmentation.h"
 
 #include <gdcmDataSet.h>
 

@@ -10,7 +10,7 @@
 
 #include "DataFile.h"
 #include "ItkImage.h"
-#include "LayeredVolume.h"
+#include "Layers/LayeredVolume.h"
 
 namespace bonedecimate::volume
 {

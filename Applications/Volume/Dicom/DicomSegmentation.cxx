@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomSegmentation.h"
 
-#include "DataFile.h"
 #include "DicomAttributes.h"
+#include "DicomTags.h"
 #include "GdcmMessages.h"
 #include "MemoryCap.h"
+#include "Readers/DataFile.h"
 #include "SegmentationHeader.h"
 
 #include <gdcmBitmap.h>
@@ -25,7 +26,6 @@ namespace bonedecimate::volume
 namespace
 {
 const gdcm::Tag SyntaxInHeader(0x0002, 0x0010);
-const gdcm::Tag PixelData(0x7fe0, 0x0010);
 
 constexpr const char* DamagedFile = "it is truncated or damaged";
 
@@ -100,7 +100,7 @@ PixelBytes Unpacked(const SegmentationHeader& header, const gdcm::File& file, st
     header.Pixels == SegmentPixels::Bytes ? gdcm::PixelFormat::UINT8 : gdcm::PixelFormat::UINT16);
   bitmap.SetPhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2);
   bitmap.SetTransferSyntax(file.GetHeader().GetDataSetTransferSyntax());
-  bitmap.SetDataElement(file.GetDataSet().GetDataElement(PixelData));
+  bitmap.SetDataElement(file.GetDataSet().GetDataElement(tags::PixelData));
   std::vector<unsigned char> unpacked(bytes);
   const bool isRead =
     bitmap.GetBufferLength() == bytes && bitmap.GetBuffer(reinterpret_cast<char*>(unpacked.data()));
@@ -111,14 +111,14 @@ PixelBytes Unpacked(const SegmentationHeader& header, const gdcm::File& file, st
 PixelBytes ReadPixels(const SegmentationHeader& header, const gdcm::File& file)
 {
   const gdcm::DataSet& data = file.GetDataSet();
-  if (!data.FindDataElement(PixelData))
+  if (!data.FindDataElement(tags::PixelData))
   {
     return std::nullopt;
   }
   const auto pixels = static_cast<std::uint64_t>(header.Size[0] * header.Size[1]) *
     static_cast<std::uint64_t>(header.Frames.size());
   const std::uint64_t bytes = BytesOfPixels(pixels, header.Pixels);
-  const gdcm::DataElement& element = data.GetDataElement(PixelData);
+  const gdcm::DataElement& element = data.GetDataElement(tags::PixelData);
   if (const gdcm::SequenceOfFragments* const fragments = element.GetSequenceOfFragments())
   {
     const auto packed = static_cast<double>(fragments->ComputeByteLength());

@@ -4,13 +4,13 @@
 #include "FilePath.h"
 
 #include "CurrentFile.h"
-#include "DataFile.h"
 #include "DicomChoice.h"
 #include "DicomScan.h"
 #include "DicomSegmentation.h"
 #include "DicomSeries.h"
 #include "GdcmMessages.h"
 #include "IntensityChecks.h"
+#include "Readers/DataFile.h"
 
 #include <gdcmImageReader.h>
 #include <gdcmRescaler.h>

@@ -6,8 +6,8 @@
 #include "DicomAttributes.h"
 #include "DicomTags.h"
 #include "DicomText.h"
-#include "SegmentSelection.h"
-#include "TextNumbers.h"
+#include "LabelMaps/SegmentSelection.h"
+#include "Readers/TextNumbers.h"
 
 #include <algorithm>
 #include <map>
@@ -16,14 +16,9 @@ namespace bonedecimate::volume
 {
 namespace
 {
-const gdcm::Tag CharacterSet(0x0008, 0x0005);
 const gdcm::Tag SpacingBetweenSlices(0x0018, 0x0088);
-const gdcm::Tag PlanePositionGroup(0x0020, 0x9113);
-const gdcm::Tag PlaneOrientationGroup(0x0020, 0x9116);
 const gdcm::Tag SamplesPerPixel(0x0028, 0x0002);
 const gdcm::Tag BitsAllocated(0x0028, 0x0100);
-const gdcm::Tag PixelPadding(0x0028, 0x0120);
-const gdcm::Tag PixelMeasuresGroup(0x0028, 0x9110);
 const gdcm::Tag SegmentationType(0x0062, 0x0001);
 const gdcm::Tag SegmentItems(0x0062, 0x0002);
 const gdcm::Tag SegmentNumber(0x0062, 0x0004);
@@ -31,8 +26,6 @@ const gdcm::Tag SegmentLabel(0x0062, 0x0005);
 const gdcm::Tag SegmentIdentificationGroup(0x0062, 0x000a);
 const gdcm::Tag ReferencedSegmentNumber(0x0062, 0x000b);
 const gdcm::Tag RecommendedColor(0x0062, 0x000d);
-const gdcm::Tag SharedGroups(0x5200, 0x9229);
-const gdcm::Tag PerFrameGroups(0x5200, 0x9230);
 
 std::int64_t WordOr(std::int64_t otherwise, const gdcm::DataSet& data, const gdcm::Tag& tag)
 {
@@ -61,7 +54,7 @@ std::string ReadPixelType(const gdcm::DataSet& data, SegmentationHeader& header)
     return "its pixels have " + std::to_string(bits) + " bits, which is not read of this type (" +
       type + ")";
   }
-  if (isMap && WordOr(0, data, PixelPadding) != 0)
+  if (isMap && WordOr(0, data, tags::PaddingValue) != 0)
   {
     return "the value of its background is not 0";
   }
@@ -91,7 +84,7 @@ std::string ReadSegmentItems(const gdcm::DataSet& data, SegmentationHeader& head
   std::map<std::int64_t, int> uses;
   for (std::size_t i = 0; i < items.Count(); ++i)
   {
-    const Segment segment = ReadSegment(items.At(i), TextOf(data, CharacterSet));
+    const Segment segment = ReadSegment(items.At(i), TextOf(data, tags::CharacterSet));
     const bool isBackground = segment.Label == 0 && header.Pixels != SegmentPixels::Bits;
     if (++uses[segment.Label] > 1 || (segment.Label <= 0 && !isBackground))
     {
@@ -108,9 +101,9 @@ std::string ReadSegmentItems(const gdcm::DataSet& data, SegmentationHeader& head
 /// @return False if an attribute is missing.
 bool ReadPlacement(const FrameAttributes& frame, FramePlacement& placement)
 {
-  const auto position = frame.Numbers(PlanePositionGroup, tags::Position, 3);
-  const auto orientation = frame.Numbers(PlaneOrientationGroup, tags::Orientation, 6);
-  const auto spacing = frame.Numbers(PixelMeasuresGroup, tags::PixelSpacing, 2);
+  const auto position = frame.Numbers(tags::PlanePosition, tags::Position, 3);
+  const auto orientation = frame.Numbers(tags::PlaneOrientation, tags::Orientation, 6);
+  const auto spacing = frame.Numbers(tags::PixelMeasures, tags::PixelSpacing, 2);
   if (!position || !orientation || !spacing)
   {
     return false;
@@ -133,15 +126,15 @@ std::size_t IndexOf(std::int64_t number, const std::vector<Segment>& segments)
 /// mm; 0 if the header does not say it. The thickness of a slice is something else.
 double PlaneDistance(const FrameAttributes& frame)
 {
-  const auto number = frame.Numbers(PixelMeasuresGroup, SpacingBetweenSlices, 1);
+  const auto number = frame.Numbers(tags::PixelMeasures, SpacingBetweenSlices, 1);
   return number ? number->front() : 0.0;
 }
 
 /// Segments and planes of frames. @return What is wrong with them, or an empty text.
 std::string ReadFrames(const gdcm::DataSet& data, SegmentationHeader& header)
 {
-  const DicomItems shared(data, SharedGroups);
-  const DicomItems frames(data, PerFrameGroups);
+  const DicomItems shared(data, tags::SharedGroups);
+  const DicomItems frames(data, tags::FrameGroups);
   const std::string count = TextOf(data, tags::Frames);
   if (frames.Count() == 0 && ParseWholeNumber(count).value_or(0) == 0)
   {

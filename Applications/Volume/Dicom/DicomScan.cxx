@@ -3,14 +3,14 @@
 #include "DicomScan.h"
 
 #include "CurrentFile.h"
-#include "DataFile.h"
 #include "DicomFrames.h"
 #include "DicomTags.h"
 #include "DicomText.h"
 #include "FilePath.h"
 #include "GdcmMessages.h"
 #include "MemoryCap.h"
-#include "TextNumbers.h"
+#include "Readers/DataFile.h"
+#include "Readers/TextNumbers.h"
 
 #include <gdcmScanner.h>
 
@@ -25,10 +25,8 @@ namespace
 const gdcm::Tag Instance(0x0008, 0x0018);
 const gdcm::Tag Series(0x0020, 0x000e);
 const gdcm::Tag SeriesDescription(0x0008, 0x103e);
-const gdcm::Tag CharacterSet(0x0008, 0x0005);
 const gdcm::Tag ClassOfImage(0x0008, 0x0016);
 const gdcm::Tag PixelRepresentation(0x0028, 0x0103);
-const gdcm::Tag PaddingValue(0x0028, 0x0120);
 const gdcm::Tag PaddingLimit(0x0028, 0x0121);
 
 std::string Text(const gdcm::Scanner& scanner, const std::string& file, const gdcm::Tag& tag)
@@ -56,7 +54,7 @@ double NumberOr(
 std::optional<std::array<double, 2>> PaddingOf(
   const gdcm::Scanner& scanner, const std::string& file)
 {
-  const auto value = Numbers(scanner, file, PaddingValue, 1);
+  const auto value = Numbers(scanner, file, tags::PaddingValue, 1);
   if (!value)
   {
     return std::nullopt;
@@ -73,7 +71,7 @@ std::optional<std::array<double, 2>> PaddingOf(
 
 std::string DescriptionOf(const gdcm::Scanner& scanner, const std::string& file)
 {
-  return Utf8Of(Text(scanner, file, SeriesDescription), Text(scanner, file, CharacterSet));
+  return Utf8Of(Text(scanner, file, SeriesDescription), Text(scanner, file, tags::CharacterSet));
 }
 
 /// What does not say where it lies; of several frames what all have. Nothing for what is no image.
@@ -191,9 +189,9 @@ ScannedFiles ScanFiles(const std::vector<std::string>& files, const std::string&
   const GdcmMessages messages;
   gdcm::Scanner scanner;
   for (const gdcm::Tag& tag : { ClassOfImage, Instance, tags::Modality, Series, SeriesDescription,
-         CharacterSet, tags::Position, tags::Orientation, tags::Frames, tags::Rows, tags::Columns,
-         tags::PixelSpacing, tags::Intercept, tags::Slope, PixelRepresentation, PaddingValue,
-         PaddingLimit })
+         tags::CharacterSet, tags::Position, tags::Orientation, tags::Frames, tags::Rows,
+         tags::Columns, tags::PixelSpacing, tags::Intercept, tags::Slope, PixelRepresentation,
+         tags::PaddingValue, PaddingLimit })
   {
     scanner.AddTag(tag);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomAttributes.h"
 
-#include "TextNumbers.h"
+#include "Readers/TextNumbers.h"
 
 #include <gdcmByteValue.h>
 

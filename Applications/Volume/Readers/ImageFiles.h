@@ -13,8 +13,8 @@
 #ifndef BoneDecimate_Applications_ImageFiles_h
 #define BoneDecimate_Applications_ImageFiles_h
 
-#include "LayeredVolume.h"
-#include "SegmentSelection.h"
+#include "LabelMaps/SegmentSelection.h"
+#include "Layers/LayeredVolume.h"
 
 #include <string>
 

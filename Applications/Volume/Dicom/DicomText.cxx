@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DicomText.h"
 
-#include "Encoding.h"
-#include "TextNumbers.h"
+#include "Readers/Encoding.h"
+#include "Readers/TextNumbers.h"
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
 #include "VtiVolume.h"
 
 #include "FilePath.h"
-#include "LabelFields.h"
+#include "LabelMaps/LabelFields.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
