@@ -4,7 +4,7 @@
 
 import vtk
 
-from application import NOT_WRITTEN, REJECTED, SURFACES, USAGE, ApplicationTest, main, torus, write
+from application import NOT_WRITTEN, REJECTED, SURFACES, UNMEASURED, USAGE, ApplicationTest, main, read, torus, write
 from label_maps import blocks, bounded, smoothed, surface_of, write_map
 
 VIOLATED, UNDECIDED = 6, 7
@@ -112,6 +112,95 @@ class Certify(ApplicationTest):
             self.assertIn(says, self.path("c.html").read_text(encoding="utf-8"))
             found = self.report("c.json")
             self.assertEqual((found.get("tolerance"), found.get("tolerance_array")), keys)
+
+
+class CertifyScan(ApplicationTest):
+    """A CT of a ball as the reference, and the surface of it that the program extracts, or that of another value."""
+
+    def setUp(self):
+        super().setUp()
+        self.write_scan()
+        self.succeed("ct.mha", "bone.ply", "--iso", 300, "--target-reduction", 0, *UNMEASURED)
+
+    def write_scan(self):
+        image = vtk.vtkImageData()
+        image.SetDimensions(24, 24, 24)
+        image.SetSpacing(0.5, 0.5, 0.75)
+        image.SetOrigin(30.0, -20.0, 100.0)
+        image.AllocateScalars(vtk.VTK_SHORT, 1)
+        for k in range(24):
+            for j in range(24):
+                for i in range(24):
+                    away = ((0.5 * i - 6) ** 2 + (0.5 * j - 6) ** 2 + (0.75 * k - 9) ** 2) ** 0.5
+                    image.SetScalarComponentFromDouble(i, j, k, 0, round(1000 - 250 * away))
+        write_map(image, self.path("ct.mha"))
+
+    def test_compares_with_the_surface_of_the_value(self):
+        text = self.succeed("certify", "ct.mha", "bone.ply", "--iso", 300, "--tolerance", 1e-5).stdout
+        self.assertIn("proved <= 0.000010 mm", text)
+        other = self.run_program("certify", "ct.mha", "bone.ply", "--iso", 425, "--tolerance", 0.45)  # half a millimeter inward
+        self.assertEqual(other.returncode, VIOLATED)
+        self.succeed("certify", "ct.mha", "bone.ply", "--iso", 425, "--tolerance", 0.55)
+
+    def test_a_result_in_the_other_axes_is_turned(self):
+        bone = read(self.path("bone.ply"))
+        turn = vtk.vtkTransform()
+        turn.Scale(-1, -1, 1)
+        turned = vtk.vtkTransformPolyDataFilter()
+        turned.SetTransform(turn)
+        turned.SetInputData(bone)
+        turned.Update()
+        surface = turned.GetOutput()
+        write(surface, self.path("unknown.vtp"))
+        frame = vtk.vtkStringArray()
+        frame.SetName("SPACE")
+        frame.InsertNextValue("RAS")
+        surface.GetFieldData().AddArray(frame)
+        write(surface, self.path("ras.vtp"))
+        completed = self.succeed("certify", "ct.mha", "ras.vtp", "--iso", 300, "--tolerance", 1e-5)
+        self.assertIn("the axes of 'ras.vtp' are RAS, those of the reference LPS", completed.stdout + completed.stderr)
+        self.assertEqual(self.run_program("certify", "ct.mha", "unknown.vtp", "--iso", 300, "--tolerance", 1e-5).returncode, VIOLATED)
+
+    def test_a_volume_and_a_value_belong_together(self):
+        self.fail_with(USAGE, "certify", "ct.mha", "bone.ply", says="'ct.mha' is a volume: --iso takes its bone surface")
+        self.fail_with(USAGE, "certify", "bone.ply", "bone.ply", "--iso", 300, says="--iso has no effect")
+        self.fail_with(USAGE, "certify", "ct.mha", "bone.ply", "--iso", 300, "--tolerance-array", "t", says="the reference is a volume")
+
+
+class CertifyFolders(ApplicationTest):
+    def setUp(self):
+        super().setUp()
+        for folder in ("before/left", "after/left"):
+            self.path(folder).mkdir(parents=True)
+        for name, height in (("a", 0.25), ("left/b", 0.125)):
+            write(square(0.0), self.path(f"before/{name}.ply"))
+            write(square(height), self.path(f"after/{name}.stl"))
+
+    def test_pairs_have_the_same_names(self):
+        write(square(1.0), self.path("before/only_here.ply"))
+        text = self.succeed("certify", "before", "after", "--tolerance", 0.3, "--json", "c.json").stdout
+        self.assertRegex(text, r"(?m)^a: 0\.249999 to 0\.25000\d mm, proved$")
+        rows = self.report("c.json")
+        self.assertEqual([(row["name"], row["exit_code"]) for row in rows], [("a", 0), ("left/b", 0)])
+        self.assertAlmostEqual(rows[1]["certificate"]["upper"], 0.125, 6)
+
+    def test_ends_with_the_worst_code(self):
+        self.assertEqual(self.run_program("certify", "before", "after", "--tolerance", 0.2).returncode, VIOLATED)
+        self.path("after/a.stl").write_bytes(b"solid nothing\nendsolid\n")
+        completed = self.run_program("certify", "before", "after", "--tolerance", 0.2, "--json", "c.json")
+        self.assertEqual(completed.returncode, REJECTED)
+        self.assertIn("left/b: ", completed.stdout)
+        self.assertIn("problem", self.report("c.json")[0])
+
+    def test_a_result_without_its_reference_is_rejected(self):
+        write(square(1.0), self.path("after/c.ply"))
+        self.fail_with(REJECTED, "certify", "before", "after", says="'before' has no surface of this name")
+        self.path("after/c.ply").unlink()
+        write(square(1.0), self.path("after/a.ply"))
+        self.fail_with(REJECTED, "certify", "before", "after", says="there are several surfaces of this name")
+        self.path("empty").mkdir()
+        self.fail_with(REJECTED, "certify", "before", "empty", says="no surface is in it")
+        self.fail_with(USAGE, "certify", "before", "after", "--page", "c.html", says="--page is for one result")
 
 
 class CertifyVoxels(ApplicationTest):

@@ -25,8 +25,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double BoneValue = 226.0; // HU, a common threshold of bone in CT
-
 void AddTableOption(CLI::App& app, const OptionInfo& info, const OptionReceiver& give)
 {
   app
@@ -97,30 +95,15 @@ OptionReceiver ReceiverOf(Arguments& arguments)
 
 void AddIso(CLI::App& app, Arguments& arguments)
 {
-  const auto number = [](const std::string& text)
-  { return LowerCase(text) == "bone" ? std::optional<double>(BoneValue) : ParseFinite(text); };
-  app
-    .add_option_function<std::string>(
-      "--iso",
-      [&arguments, number](const std::string& text)
-      {
-        arguments.Iso = number(text);
-        arguments.Given["iso"] = NumberText(*arguments.Iso);
-      },
-      WrappedHelp(
-        "The input is a CT volume (.nii, .nrrd, .mha, .tif, .vti ..., a folder of DICOM files "
-        "or TIFF slices): take the bone surface at this Hounsfield value. Takes " +
-        RangeText(HounsfieldRange) + "; bone is 226 HU."))
-    ->type_name("HU|bone")
-    ->check(CLI::Validator(
-      [number](std::string& text)
-      {
-        const std::optional<double> value = number(text);
-        return value && IsInRange(HounsfieldRange, *value)
-          ? std::string()
-          : "takes " + RangeText(HounsfieldRange) + ", or bone, not '" + text + "'";
-      },
-      ""));
+  AddIsoValue(
+    app,
+    [&arguments](double value)
+    {
+      arguments.Iso = value;
+      arguments.Given["iso"] = NumberText(value);
+    },
+    "The input is a CT volume (.nii, .nrrd, .mha, .tif, .vti ..., a folder of DICOM files or TIFF "
+    "slices): take the bone surface at this Hounsfield value.");
 }
 
 /// "0.5,0.5,1"

@@ -12,11 +12,14 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace bonedecimate
 {
 namespace
 {
+constexpr double BoneValue = 226.0; // HU, a common threshold of bone in CT
+
 /// "takes a number from 0 to 1, not '2'"; empty if nothing is wrong.
 std::string Problem(const std::string& text, const NumberRange& range)
 {
@@ -115,6 +118,26 @@ CLI::Option* AddNumber(
   return AddText(app, option, RangeText(option.Range),
     [set](const std::string& text) { set(*ParseFinite(text)); })
     ->check(InRange(option.Range));
+}
+
+void AddIsoValue(CLI::App& app, const std::function<void(double)>& set, const std::string& help)
+{
+  const auto number = [](const std::string& text)
+  { return LowerCase(text) == "bone" ? std::optional<double>(BoneValue) : ParseFinite(text); };
+  app
+    .add_option_function<std::string>(
+      "--iso", [set, number](const std::string& text) { set(*number(text)); },
+      WrappedHelp(help + " Takes " + RangeText(HounsfieldRange) + "; bone is 226 HU."))
+    ->type_name("HU|bone")
+    ->check(CLI::Validator(
+      [number](std::string& text)
+      {
+        const std::optional<double> value = number(text);
+        return value && IsInRange(HounsfieldRange, *value)
+          ? std::string()
+          : "takes " + RangeText(HounsfieldRange) + ", or bone, not '" + text + "'";
+      },
+      ""));
 }
 
 CLI::Option* AddNumberList(

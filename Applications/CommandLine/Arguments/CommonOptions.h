@@ -48,6 +48,9 @@ struct NumberOption
 CLI::Option* AddNumber(
   CLI::App& app, const NumberOption& option, const std::function<void(double)>& set);
 
+/// Adds --iso, a Hounsfield value or "bone".  @param help Ends before the range.
+void AddIsoValue(CLI::App& app, const std::function<void(double)>& set, const std::string& help);
+
 /// Adds an option that takes numbers with commas in between.
 CLI::Option* AddNumberList(
   CLI::App& app, const NumberOption& option, const std::function<void(double)>& append);

@@ -25,6 +25,7 @@ struct CertifyArguments
   std::vector<std::string> Files;  ///< Reference and result; the result alone with a label map.
   std::optional<double> Tolerance; ///< mm
   std::string ToleranceArray;      ///< A point array of the reference, mm; empty: none.
+  std::optional<double> Iso;       ///< HU, of a CT volume as the reference.
   LabelMapFile Map;                ///< Without a map the voxels are not compared.
   std::string Json;                ///< A file; empty: none.
   std::string Page;                ///< A file; empty: none.

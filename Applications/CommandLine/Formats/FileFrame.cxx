@@ -4,6 +4,7 @@
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkStringArray.h"
 
 namespace bonedecimate
@@ -50,5 +51,20 @@ void SetFrame(const std::string& frame, vtkPolyData* surface)
 std::string FrameLine(const std::string& frame)
 {
   return "3D Slicer output. SPACE=" + frame;
+}
+
+vtkSmartPointer<vtkPolyData> TurnedAboutZ(vtkPolyData* surface)
+{
+  auto turned = vtkSmartPointer<vtkPolyData>::New();
+  turned->ShallowCopy(surface);
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(surface->GetPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const double* p = points->GetPoint(i);
+    points->SetPoint(i, -p[0], -p[1], p[2]);
+  }
+  turned->SetPoints(points);
+  return turned;
 }
 }

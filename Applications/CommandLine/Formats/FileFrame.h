@@ -15,6 +15,7 @@
 #define BoneDecimate_Applications_FileFrame_h
 
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ std::string FrameOf(vtkPolyData* surface);
 
 /// Writes the field array; an empty frame changes nothing.
 void SetFrame(const std::string& frame, vtkPolyData* surface);
+
+/// A surface from RAS to LPS, or back: half a revolution about the third axis.
+vtkSmartPointer<vtkPolyData> TurnedAboutZ(vtkPolyData* surface);
 
 /// A line for a header or comment, as 3D Slicer writes it: "3D Slicer output. SPACE=RAS".
 std::string FrameLine(const std::string& frame);

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CertifyFolders.h
+ * @brief bonedecimate certify REFERENCES/ RESULTS/: pairs of surfaces of the same name.
+ */
+#ifndef BoneDecimate_Applications_CertifyFolders_h
+#define BoneDecimate_Applications_CertifyFolders_h
+
+#include "ExitCode.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+struct FilePair
+{
+  std::string Name; ///< Below the folders, without an extension.
+  std::string Reference;
+  std::string Result;
+};
+
+struct CertifiedPair
+{
+  std::string Name;
+  ExitCode Code;
+  std::string Text; ///< Bounds and status, or why it was rejected.
+  std::string Json; ///< Its certificate; empty if it was rejected.
+};
+
+/// Whether these are two folders of surfaces, and the first is no volume.
+bool AreFolders(const std::vector<std::string>& files);
+
+/// The surfaces of the second folder and those below it, by name, with those of the first of the
+/// same name, whatever their formats.
+/// @throws Failure(ExitCode::InputRejected) if a result has no reference, or several, or if there
+/// is no result.
+std::vector<FilePair> FindPairs(const std::string& references, const std::string& results);
+
+/// A list of objects: name, exit code, and the certificate or the problem.
+std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs);
+
+/// Violated if one is, else Undecided, else the code of a pair that was rejected.
+ExitCode WorstOfPairs(const std::vector<CertifiedPair>& pairs);
+}
+
+#endif

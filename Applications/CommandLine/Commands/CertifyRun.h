@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CertifyRun.h
+ * @brief One certificate: reads the surfaces, compares them, writes and prints what was found.
+ *
+ *     Read             both surfaces, or a volume and a surface, in the axes of the reference
+ *     CompareVoxels    with the label map, if there is one
+ *     Compare          proved bounds of the distance, if there is a reference
+ *     Write, Tell      JSON and page; lines for the terminal
+ */
+#ifndef BoneDecimate_Applications_CertifyRun_h
+#define BoneDecimate_Applications_CertifyRun_h
+
+#include "Certify.h"
+#include "VoxelCertificate.h"
+
+#include "vtkBoneSurfaceDistance.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+class CertifyRun
+{
+public:
+  explicit CertifyRun(const CertifyArguments& arguments);
+  /// @throws Failure(ExitCode::InputRejected)
+  void Read();
+
+  /// Everything found, as JSON.
+  std::string Json() const;
+  void CompareVoxels();
+  void Compare();
+  void Write() const;
+  void Tell();
+
+  /// Bounds of the distance and whether the tolerance is kept, in a line.
+  std::string Line() const;
+  ExitCode Code() const;
+
+private:
+  void TellDistance() const;
+  void ReadReference();
+  void ReadScan(const std::string& file);
+
+  /// The result, turned if its file and that of the reference say that their axes differ.
+  vtkSmartPointer<vtkPolyData> InFrameOfReference(vtkPolyData* result);
+
+  /// Empty if there is no such entry.
+  std::string LeftOut(int entry) const;
+
+  /// Whether all that was left out is known to be within the tolerance.
+  bool CoversWhatWasLeftOut() const;
+  double Value(const std::string& name) const { return this->Filter->GetReportValue(name); }
+
+  void TellDirection(const std::string& path, const std::string& words) const;
+
+  /// Before the tolerance.
+  std::string StatusText() const;
+  void TellStatus() const;
+
+  const CertifyArguments& Requested;
+  std::vector<std::string> Warnings;
+  std::string Frame; // of the reference, "LPS" or "RAS"; empty: not known
+  vtkSmartPointer<vtkPolyData> Result;
+  std::string ReportOfResult; // what it proves, as its file says
+  vtkNew<vtkBoneSurfaceDistance> Filter;
+  std::optional<VoxelCertificate> Voxels;
+};
+}
+
+#endif
