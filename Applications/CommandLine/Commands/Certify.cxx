@@ -199,8 +199,7 @@ ExitCode Run(const CertifyArguments& arguments)
 void AddCertifyCommand(CLI::App& program, ExitCode& code)
 {
   const auto arguments = std::make_shared<CertifyArguments>();
-  CLI::App& command = AddCommand(program, "certify",
-    { "[REFERENCE] RESULT [OPTIONS]", "REFERENCES/ RESULTS/ [OPTIONS]" },
+  CLI::App& command = AddCommand(program, "certify", { "[REFERENCE] RESULT [OPTIONS]" },
     "Proves how far two surfaces are from each other: bounds of the largest distance in both "
     "directions, of surfaces and of open boundaries, and where it is. With a label map it counts "
     "the voxels that have another label in RESULT. REFERENCE may be a CT volume with --iso. Of two "
