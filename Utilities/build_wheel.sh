@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the wheel of the Python package bonedecimate (Documentation/python.md).
+# Builds the wheel of the Python package bonedecimate (Documentation/reference/python.md).
 #
 #   build_wheel.sh [--portable|--arm64|--windows] [FOLDER]     into FOLDER, by default dist/ of the project
 #

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The software of others in what the project delivers: Utilities/third_party.json, checked, as a page, and as bills of materials.
 
-    third_party.py --markdown                      Documentation/third-party.md
+    third_party.py --markdown                      Documentation/reference/third-party.md
     third_party.py --check [BINARY...]             that the page, licenses and libraries of binaries agree with the list
     third_party.py --sbom PRODUCT FILE             a bill of materials in CycloneDX 1.6; deb, wheel, wheel-windows, page or browser
 
@@ -25,7 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIST = ROOT / "Utilities" / "third_party.json"
 CONSTRAINTS = ROOT / "Utilities" / "wheel_constraints.txt"
 VIEWER = ROOT / "Applications" / "Picture" / "Viewer"
-PAGE = ROOT / "Documentation" / "third-party.md"
+PAGE = ROOT / "Documentation" / "reference" / "third-party.md"
 BROWSER = ROOT / "Applications" / "Browser"
 PRODUCTS = {"deb": "Debian package", "wheel": "wheel", "wheel-windows": "wheel for Windows", "page": "HTML page", "browser": "browser"}
 OWN = ("libvtkFiltersBoneDecimate", "libvtkFiltersParallelBoneDecimate", "libvtkBoneDecimate", "libvtkpython", "libpython")
@@ -165,7 +165,7 @@ def problems_of_binary(binary):
 
 def problems(binaries):
     if PAGE.read_text(encoding="utf-8") != markdown():
-        yield "Documentation/third-party.md is not what third_party.py --markdown prints"
+        yield "Documentation/reference/third-party.md is not what third_party.py --markdown prints"
     licenses = (ROOT / "Utilities" / "wheel_licenses.txt").read_text(encoding="utf-8")
     for one in [*components("wheel"), *components("wheel-windows")]:
         if one["how"] != "linked" and one["name"] not in licenses:

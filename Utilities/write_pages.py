@@ -58,9 +58,9 @@ def pages(program):
         return subprocess.run([program, flag], stdout=subprocess.PIPE, encoding="utf-8", check=True).stdout
 
     tables = json.loads(printed("--tables"))
-    for name, write, part in (("options.md", with_table, printed("--options-markdown")),
-                              ("command-line.md", with_profiles, printed("--profiles-markdown")),
-                              ("modes.md", with_table, table_of_modes(tables["modes"])),
+    for name, write, part in (("reference/options.md", with_table, printed("--options-markdown")),
+                              ("reference/command-line.md", with_profiles, printed("--profiles-markdown")),
+                              ("explanation/modes.md", with_table, table_of_modes(tables["modes"])),
                               ("report.schema.json", with_rejections, tables["rejections"])):
         path = DOCUMENTATION / name
         before = path.read_text(encoding="utf-8")

@@ -21,7 +21,7 @@
  * A value outside its range is an error event when it is set: the property keeps its value, and
  * updates fail until it gets a valid one.
  *
- * Documentation/smoothing.md says what smoothing may be used for.
+ * Documentation/how-to/smoothing.md says what smoothing may be used for.
  *
  * @sa vtkBoneDecimate
  */

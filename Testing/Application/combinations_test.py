@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every pair of features of the program either works, which the outputs must show, or is rejected with one sentence.
 
-An option without a feature of its own has one that follows from the table of options. The test runs every pair that Documentation/combinations.md rejects or
+An option without a feature of its own has one that follows from the table of options. The test runs every pair that Documentation/results/combinations.md rejects or
 warns of, and a third of those that work there; with `--whole` it runs all. It fails if the page has another matrix than it found.
 `combinations_test.py --print` runs all and prints the matrix.
 """
@@ -22,7 +22,8 @@ import combinations_features as features
 import combinations_inputs
 from application import DONE, PROGRAM, REJECTED, USAGE, main
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "combinations.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "results" / "combinations.md"
+RULES = PAGE.parents[1] / "reference" / "combinations.md"
 BEGIN, END = "<!-- matrix: begin -->", "<!-- matrix: end -->"
 WORKS, WARNS, REJECTS = "+", "w", "-"
 # Of the pairs that work by the page, the short form runs one in this many.
@@ -165,6 +166,17 @@ class Combinations(unittest.TestCase):
         page = PAGE.read_text(encoding="utf-8")
         written = page[page.index(BEGIN) + len(BEGIN):page.index(END)].strip()
         self.assertEqual(written, page_text(features.FEATURES, self.outcomes).strip())
+
+
+class Rules(unittest.TestCase):
+    def test_quote_messages_that_were_found(self):
+        page = PAGE.read_text(encoding="utf-8")
+        rows = re.findall(r"(?m)^\| (\d+) \| .* \| ([^|]*) \|$", RULES.read_text(encoding="utf-8"))
+        self.assertEqual([int(number) for number, _ in rows], list(range(1, len(rows) + 1)))
+        messages = [message[1] for _, text in rows if (message := re.fullmatch(r"`([^`]*)`", text))]
+        self.assertGreater(len(messages), 10)
+        for message in messages:
+            self.assertIn(message, page)
 
 
 if __name__ == "__main__":

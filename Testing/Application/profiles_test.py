@@ -38,7 +38,7 @@ class Profiles(ApplicationTest):
             self.assertEqual(self.path("out.obj").read_bytes(), self.path("typed.obj").read_bytes())
 
     def test_the_page_has_the_table(self):
-        page = (ROOT / "Documentation" / "command-line.md").read_text(encoding="utf-8")
+        page = (ROOT / "Documentation" / "reference" / "command-line.md").read_text(encoding="utf-8")
         self.assertIn(self.succeed("--profiles-markdown").stdout, page)
 
     def test_the_command_line_wins_also_in_other_words(self):

@@ -19,7 +19,7 @@ class Tables(ApplicationTest):
         self.assertEqual((checked.stderr, checked.returncode), ("", 0))
 
     def test_every_format_has_a_row_of_the_page(self):
-        page = (ROOT / "Documentation" / "files.md").read_text(encoding="utf-8")
+        page = (ROOT / "Documentation" / "reference" / "files.md").read_text(encoding="utf-8")
         rows = [row.split("|")[1] for row in page.splitlines() if row.startswith("| `")]
         self.assertLessEqual(set(FORMATS), {name for row in rows for name in re.findall(r"`(\w+)`", row)})
 

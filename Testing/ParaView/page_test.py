@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the example of Documentation/paraview.md on a surface named Contour1."""
+"""Runs the example of Documentation/tutorials/paraview.md on a surface named Contour1."""
 
 import os
 import pathlib
@@ -22,7 +22,7 @@ class Example(unittest.TestCase):
         contour = surfaces.source(specimens.torus(60, 40))
         simple.RenameSource("Contour1", contour)
         names = {}
-        text = block(PROJECT / "Documentation" / "paraview.md", "First bone", "python").replace('"BoneDecimate.so"', repr(os.environ["PLUGIN"]))
+        text = block(PROJECT / "Documentation" / "tutorials" / "paraview.md", "First bone", "python").replace('"BoneDecimate.so"', repr(os.environ["PLUGIN"]))
         exec(compile(text, "paraview.md", "exec"), names)
         report = surfaces.report(names["bone"])
         self.assertLess(report["bonedecimate.output.triangles"], report["bonedecimate.input.triangles"])

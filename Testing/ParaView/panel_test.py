@@ -16,7 +16,7 @@ import surfaces
 
 SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
 PANELS = [os.environ["PANEL"], SOURCE / "Applications" / "ParaView" / "Plugin" / "BoneTools.xml"]
-TABLE = (SOURCE / "Documentation" / "options.md").read_text(encoding="utf-8")
+TABLE = (SOURCE / "Documentation" / "reference" / "options.md").read_text(encoding="utf-8")
 
 
 class Panel(unittest.TestCase):

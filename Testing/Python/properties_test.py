@@ -146,7 +146,7 @@ class Properties(unittest.TestCase):
             decimate.SetOptionFromText("MaxError", "1")
 
     def test_have_the_documentation_of_the_table(self):
-        page = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "options.md"
+        page = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "reference" / "options.md"
         rows = [[cell.strip() for cell in line.strip("|\n ").split("|")] for line in page.read_text(encoding="utf-8").splitlines()
                 if line.startswith("| `") and line.count("|") == 7]
         self.assertEqual({row[0].strip("`") for row in rows}, {*NUMBERS, *SWITCHES, *TEXTS})

@@ -55,14 +55,14 @@ class Readme(unittest.TestCase):
                 self.write_sphere(folder / "bones" / bone, 20.0, 60, 30)
             run(PHANTOM, str(folder / "ct.mha"), "--size", "small")
             run(PHANTOM, str(folder / "labels.mha"), "--size", "small", "--labels")
-            run("sh", "-e", "-c", block(PAGES / "command-line.md", "Commands", "sh"), cwd=name, env={**os.environ, "PATH": PATH})
+            run("sh", "-e", "-c", block(PAGES / "reference" / "command-line.md", "Commands", "sh"), cwd=name, env={**os.environ, "PATH": PATH})
             report = json.loads((folder / "small.json").read_text(encoding="utf-8"))
             self.assertEqual(report["output"]["triangles"], 20000)
             for file in ("small.vtp", "small.html", "small.stl", "part.stl", "bone.vtp", "segments/label_3.vtp", "small/left.stl", "small/right.stl", "closed.stl"):
                 self.assertTrue((folder / file).is_file(), file)
 
     def test_commands_of_the_gallery_are_those_of_its_script_and_accepted(self):
-        commands = [line.split()[1:] for _, _, text in blocks_of(PAGES / "gallery.md") for line in text.splitlines()]
+        commands = [line.split()[1:] for _, _, text in blocks_of(PAGES / "how-to" / "gallery.md") for line in text.splitlines()]
         self.assertGreater(len(commands), 5)
         drawn = [set(panel.words.split()) - {"{}.vtp", "{}/", "--format", "vtp"} for picture in gallery.PICTURES.values() for panel in picture.panels]
         for words in commands:
@@ -74,7 +74,7 @@ class Readme(unittest.TestCase):
                 self.assertIn("ends at", run(PROGRAM, *words, "--explain", cwd=name), words)
 
     def test_python_program_runs_as_printed(self):
-        printed = run(sys.executable, "-c", block(PAGES / "python.md", "VTK", "python"))
+        printed = run(sys.executable, "-c", block(PAGES / "reference" / "python.md", "VTK", "python"))
         self.assertIn("2000 triangles", printed)
         self.assertLess(float(printed.splitlines()[1].split()[0]), 1.0)
 
@@ -91,7 +91,7 @@ class Readme(unittest.TestCase):
         writer.Write()
 
     def test_documented_options_are_the_programs(self):
-        documented = (PAGES / "options.md").read_text(encoding="utf-8")
+        documented = (PAGES / "reference" / "options.md").read_text(encoding="utf-8")
         self.assertIn(run(PROGRAM, "--options-markdown").strip(), documented)
 
 

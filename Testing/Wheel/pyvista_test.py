@@ -228,14 +228,14 @@ class Documentation(unittest.TestCase):
         return names, said.getvalue()
 
     def test_notebook_runs(self):
-        notebook = json.loads((SOURCE / "Documentation" / "bonedecimate.ipynb").read_text(encoding="utf-8"))
+        notebook = json.loads((SOURCE / "Documentation" / "tutorials" / "bonedecimate.ipynb").read_text(encoding="utf-8"))
         cells = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"]
         names, said = self.run_blocks(cells)
         self.assertLessEqual(names["small"].bone.report["proof.upper"], 0.2)
         self.assertIn("proved", said)
 
     def test_printed_programs_run(self):
-        page = (SOURCE / "Documentation" / "python.md").read_text(encoding="utf-8")
+        page = (SOURCE / "Documentation" / "reference" / "python.md").read_text(encoding="utf-8")
         names, said = self.run_blocks(re.findall(r"```python\n(.*?)```", page, re.DOTALL))
         self.assertIn("2000 triangles", said)
         self.assertLessEqual(names["small"].report["proof.upper"], 0.2)

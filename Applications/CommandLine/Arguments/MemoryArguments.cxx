@@ -21,7 +21,7 @@ namespace
 constexpr std::int64_t MiB = std::int64_t(1) << 20;
 constexpr std::int64_t LeastMemory = 256 * MiB;
 /// Memory assumed for each triangle of the input of a run with a bound, more than is used
-/// (Documentation/error-bound.md).
+/// (Documentation/explanation/error-bound.md).
 constexpr std::int64_t BytesOfATriangle = 1000;
 /// Memory of the program and its libraries.
 constexpr std::int64_t BytesOfTheProgram = 128 * MiB;

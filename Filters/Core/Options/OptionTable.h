@@ -95,7 +95,7 @@ std::string SetOptionFromText(Options& options, const OptionInfo& info, const st
 /// same.
 std::string OptionText(const Options& options, const OptionInfo& info);
 
-/// The table as Markdown, for Documentation/options.md.
+/// The table as Markdown, for Documentation/reference/options.md.
 std::string OptionTableMarkdown();
 }
 

@@ -40,7 +40,7 @@ std::vector<std::string> ProfileNames();
 /// "max-error" and "preset".
 std::vector<std::string> AlternativesTo(const std::string& flag);
 
-/// The table as Markdown, for Documentation/command-line.md.
+/// The table as Markdown, for Documentation/reference/command-line.md.
 std::string ProfileTableMarkdown();
 }
 

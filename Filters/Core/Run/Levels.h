@@ -12,8 +12,8 @@
  *     At:       extract one level
  *     AtOn:     extract one level on a surface with the same triangles and other coordinates
  *
- * Level n is the input after the first n collapses of the log. Documentation/levels.md says when a
- * run that stops after n collapses has the same result.
+ * Level n is the input after the first n collapses of the log. Documentation/how-to/levels.md says
+ * when a run that stops after n collapses has the same result.
  */
 #ifndef BoneDecimate_Core_Run_Levels_h
 #define BoneDecimate_Core_Run_Levels_h

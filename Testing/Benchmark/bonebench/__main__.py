@@ -19,7 +19,6 @@ from .contest import Contest, Verifier
 from .contestants import Contestant, find_peers, our_contestants, our_modes
 from .workers import Programs
 
-ROOT = Path(__file__).resolve().parents[3]
 Rows = tuple[tuple[str, tuple[float, ...]], ...]
 THESIS_COUNTS = (65000.0, 40000.0, 10000.0, 1000.0)
 FULL: Rows = (("maxilla", THESIS_COUNTS), ("frontal", THESIS_COUNTS), ("cranium", (134000.0,)), ("vault", (0.2, 0.05)),
@@ -53,7 +52,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--from", dest="earlier", nargs="+", type=Path, metavar="JSON",
                         help="run nothing: page and plots again from the figures of earlier runs, put together")
     parser.add_argument("--write-docs", action="store_true",
-                        help="write Documentation/benchmark.md, its data and images and the section of the README")
+                        help="write Documentation/results/benchmark.md, its data and images and the section of the README")
     parser.add_argument("--programs", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
     return parser.parse_args()
@@ -216,11 +215,10 @@ def write(options: argparse.Namespace, figures: dict[str, Any]) -> None:
     (output / "benchmark.md").write_text(document.page(data, run, made, "."), encoding="utf-8")
     print(f"{output}/benchmark.md, benchmark.json, {document.DATA} and {len(made)} plots")
     if options.write_docs:
-        pages = ROOT / "Documentation"
-        draw(figures, pages / "images")
-        records.write(pages / document.DATA, figures)
-        document.write(ROOT)
-        print(f"{pages}/benchmark.md, {document.DATA} and the section of the README")
+        draw(figures, document.IMAGES)
+        records.write(document.RESULTS / document.DATA, figures)
+        document.write()
+        print(f"{document.RESULTS}/benchmark.md, {document.DATA} and the section of the README")
 
 
 def main() -> int:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the page and the section of the README between its two marks, from the data files alone.
 
-    python3 -m bonebench.document    writes both again from Documentation/benchmark-data, without a run
+    python3 -m bonebench.document    writes both again from Documentation/results/benchmark-data, without a run
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from . import records, tables
 from .records import Records
 
 ROOT = Path(__file__).resolve().parents[3]
+RESULTS, IMAGES = ROOT / "Documentation" / "results", ROOT / "Documentation" / "images"
 METHOD = Path(__file__).parents[1] / "method.md"
 DATA = "benchmark-data"
 PLOT_SUFFIXES = {"error": "RMS distance against the number of triangles", "time": "seconds against the number of triangles",
@@ -154,7 +155,7 @@ def readme_section(data: Records, run: dict[str, Any]) -> str:
     text = [BEGIN, "## Comparison\n",
             f"The {bone} of a CT, {int(source['triangles']):,} triangles" + (f" in {pieces} components" if pieces > 1 else "")
             + f", reduced to {int(count):,} on one thread; this project in bold. Average and RMS: the\n"
-            "larger of both directions. H: the largest distance of both. [All figures](Documentation/benchmark.md) "
+            "larger of both directions. H: the largest distance of both. [All figures](Documentation/results/benchmark.md) "
             "(`Testing/Benchmark/run.sh`).\n",
             tables.summary(data["comparison"], (bone, count), full=False)]
     text += [f"{note}\n" for note in run["notes"] if "do not quote" in note and bone not in note]
@@ -170,15 +171,14 @@ def write_readme(readme: Path, section: str) -> None:
     readme.write_text(before + section + rest.split(END, 1)[1], encoding="utf-8")
 
 
-def write(root: Path) -> None:
-    """The page and the README's section from Documentation/benchmark-data."""
-    pages = root / "Documentation"
-    data, run = records.read(pages / DATA)
-    plots = sorted(path.name for path in (pages / "images").glob("benchmark-*.png"))
-    (pages / "benchmark.md").write_text(page(data, run, plots, "images"), encoding="utf-8")
+def write() -> None:
+    """The page and the README's section from Documentation/results/benchmark-data."""
+    data, run = records.read(RESULTS / DATA)
+    plots = sorted(path.name for path in IMAGES.glob("benchmark-*.png"))
+    (RESULTS / "benchmark.md").write_text(page(data, run, plots, "../images"), encoding="utf-8")
     if data["comparison"]:
-        write_readme(root / "README.md", readme_section(data, run))
+        write_readme(ROOT / "README.md", readme_section(data, run))
 
 
 if __name__ == "__main__":
-    write(ROOT)
+    write()

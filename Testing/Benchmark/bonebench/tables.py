@@ -11,7 +11,7 @@ from typing import Callable, Iterable, Sequence
 from . import thesis
 from .records import Record
 
-PAGE_OF_MODES = Path(__file__).resolve().parents[3] / "Documentation" / "modes.md"
+PAGE_OF_MODES = Path(__file__).resolve().parents[3] / "Documentation" / "explanation" / "modes.md"
 TABLE_OF_MODES = next(part for part in PAGE_OF_MODES.read_text(encoding="utf-8").split("\n\n") if part.startswith("| mode | use |"))
 MODES = re.findall(r"(?m)^\| `(\w+)` \|", TABLE_OF_MODES)  # a test compares the page with the program
 Cell = Callable[[Record], str]

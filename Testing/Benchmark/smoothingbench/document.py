@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the page from page.md and the data files alone.
 
-    python -m smoothingbench.document    writes Documentation/smoothing-benchmark.md again, without a run
+    python -m smoothingbench.document    writes Documentation/results/smoothing-benchmark.md again, without a run
 """
 
 from __future__ import annotations
@@ -174,7 +174,7 @@ def write_page(folder: Path, target: Path) -> None:
 
 def publish(work: Path) -> None:
     """Figures and pictures of a run go to Documentation; those of sections that did not run stay. Then the page is written."""
-    data = DOCUMENTATION / "benchmark-data"
+    data = DOCUMENTATION / "results" / "benchmark-data"
     for pattern, folder in (("smoothing-*.csv", data), ("smoothing-*.png", DOCUMENTATION / "images")):
         for file in work.glob(pattern):
             shutil.copy(file, folder)
@@ -182,8 +182,8 @@ def publish(work: Path) -> None:
     if before.exists():
         run["sections"] = json.loads(before.read_text(encoding="utf-8"))["sections"] | run["sections"]
     before.write_text(json.dumps(run, indent=2) + "\n", encoding="utf-8")
-    write_page(data, DOCUMENTATION / "smoothing-benchmark.md")
+    write_page(data, DOCUMENTATION / "results" / "smoothing-benchmark.md")
 
 
 if __name__ == "__main__":
-    write_page(DOCUMENTATION / "benchmark-data", DOCUMENTATION / "smoothing-benchmark.md")
+    write_page(DOCUMENTATION / "results" / "benchmark-data", DOCUMENTATION / "results" / "smoothing-benchmark.md")

@@ -130,7 +130,7 @@ def rejection(choice):
 
 
 def position(choice, q_steps, q, s):
-    """By the rule of Documentation/volumes.md: origin and steps in RAS, and parts of the note."""
+    """By the rule of Documentation/reference/volumes.md: origin and steps in RAS, and parts of the note."""
     sform = (s[1].astype(np.float32).astype(float), ((s[0] * truth.SPACING).astype(np.float32).T).astype(float))
     qform = (q[1].astype(np.float32).astype(float), q_steps)
     if choice["sform"] > 0 and (choice["sform"] == 1 or choice["qform"] == 0):

@@ -64,7 +64,7 @@ def setting_from_text(method):
             raise ValueError(self.GetRejectedValue(name))
         return is_set
 
-    call.__doc__ += "\nAn option that was not set has its default (Documentation/options.md)."
+    call.__doc__ += "\nAn option that was not set has its default (Documentation/reference/options.md)."
     return call
 
 

@@ -176,7 +176,7 @@ def decimate(
     progress : bool or function, optional
         True shows a bar (tqdm or rich). A function is called with the fraction done; False ends the run with the surface so far.
     profile : "planning", "print", "FEM" or "web", optional
-        Options for a purpose (Documentation/command-line.md); keywords win.
+        Options for a purpose (Documentation/reference/command-line.md); keywords win.
     **options
 
     Raises

@@ -82,7 +82,7 @@ class Levels:
 
     @property
     def log(self) -> bytes:
-        """For `open_levels`, and the file of ``bonedecimate levels --record`` (Documentation/levels.md)."""
+        """For `open_levels`, and the file of ``bonedecimate levels --record`` (Documentation/how-to/levels.md)."""
         return self._core.log()
 
     def __repr__(self) -> str:

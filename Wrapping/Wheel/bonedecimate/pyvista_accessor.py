@@ -130,7 +130,7 @@ class BoneAccessor:
         progress_bar : bool or function
             True shows a bar (tqdm or rich); a function is called with the fraction done, and ends the run by False.
         profile : "planning", "print", "FEM" or "web", optional
-            Options for a purpose (Documentation/command-line.md); keywords win.
+            Options for a purpose (Documentation/reference/command-line.md); keywords win.
         **options
 
         Raises what `bonedecimate.decimate` does.

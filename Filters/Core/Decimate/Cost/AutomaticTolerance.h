@@ -10,7 +10,8 @@
  * With w near 1, flat edges cost almost nothing whatever their length, and a few large triangles
  * replace flat parts. That is right while most of the triangles remain. With w = 0, an edge costs
  * area times length whatever its angle, and triangles keep similar sizes. That is right when few
- * remain, because their angles are noise. Documentation/thesis-tolerance.md has the measurements.
+ * remain, because their angles are noise. Documentation/results/thesis-tolerance.md has the
+ * measurements.
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_AutomaticTolerance_h
 #define BoneDecimate_Core_Decimate_Cost_AutomaticTolerance_h

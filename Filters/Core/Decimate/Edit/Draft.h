@@ -20,7 +20,7 @@
  * Nothing that the draft estimates enters a proof. The mesh before the draft is proved, so undoing
  * ends. Each edit that is left passed the rules, the fragments' and voxels' filters when it was
  * made, and replaces the same faces as then (EditJournal.h). Why no parts pass each other, though
- * only the last mesh is looked at: Documentation/error-bound.md.
+ * only the last mesh is looked at: Documentation/explanation/error-bound.md.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_Draft_h
 #define BoneDecimate_Core_Decimate_Edit_Draft_h

@@ -10,7 +10,7 @@
  *     bounds               of both directions, for surfaces and boundaries: Search.h
  *
  * Every bound is widened by its largest rounding error (Foot.h), so it holds for the surfaces as
- * they are stored. Documentation/certificate.md gives the proof step by step.
+ * they are stored. Documentation/explanation/certificate.md gives the proof step by step.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_Certificate_h
 #define BoneDecimate_Core_Proof_Certificate_Certificate_h

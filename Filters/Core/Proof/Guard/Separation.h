@@ -10,7 +10,7 @@
  *                  others
  *
  * What lies beyond is another part of the surface: the other side of a thin plate or strut, or
- * another fragment. Documentation/error-bound.md has what follows from it.
+ * another fragment. Documentation/explanation/error-bound.md has what follows from it.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_Separation_h
 #define BoneDecimate_Core_Proof_Guard_Separation_h

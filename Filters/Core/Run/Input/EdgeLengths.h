@@ -9,7 +9,7 @@
  *                                                                   e: ChordalError
  *     length       the least of EdgeLength, the array and the chordal length, graded
  *
- * Documentation/triangle-shapes.md.
+ * Documentation/how-to/triangle-shapes.md.
  */
 #ifndef BoneDecimate_Core_Run_Input_EdgeLengths_h
 #define BoneDecimate_Core_Run_Input_EdgeLengths_h

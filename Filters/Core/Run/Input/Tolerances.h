@@ -8,7 +8,7 @@
  *     positive     a largest error, linear on each triangle
  *     negative     no limit
  *
- * MaximumError caps all tolerances. Documentation/tolerance.md.
+ * MaximumError caps all tolerances. Documentation/how-to/tolerance.md.
  */
 #ifndef BoneDecimate_Core_Run_Input_Tolerances_h
 #define BoneDecimate_Core_Run_Input_Tolerances_h
