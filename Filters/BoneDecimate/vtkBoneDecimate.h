@@ -89,8 +89,8 @@ public:
   /**
    * Whether the filter keeps what it prepared of its input and the results of regions, so that the
    * next update with other tolerances runs only the regions that are new. Only updates that run
-   * regions keep anything (Documentation/how-to/tolerance.md). No result depends on it. Off releases
-   * the memory. Default on.
+   * regions keep anything (Documentation/how-to/tolerance.md). No result depends on it. Off
+   * releases the memory. Default on.
    */
   void SetKeepPrepared(bool keep);
   bool GetKeepPrepared() const;
