@@ -68,7 +68,7 @@ inside bonedecimate $there/patch.stl $there/small.stl --max-error 0.1
 
 say "The Python package"
 add python3-vtk9
-printed reference/python python VTK > "$work/example.py"
+printed how-to/python python VTK > "$work/example.py"
 inside python3 $there/example.py
 
 say "A project of its own against the headers"

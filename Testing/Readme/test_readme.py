@@ -74,7 +74,7 @@ class Readme(unittest.TestCase):
                 self.assertIn("ends at", run(PROGRAM, *words, "--explain", cwd=name), words)
 
     def test_python_program_runs_as_printed(self):
-        printed = run(sys.executable, "-c", block(PAGES / "reference" / "python.md", "VTK", "python"))
+        printed = run(sys.executable, "-c", block(PAGES / "how-to" / "python.md", "VTK", "python"))
         self.assertIn("2000 triangles", printed)
         self.assertLess(float(printed.splitlines()[1].split()[0]), 1.0)
 

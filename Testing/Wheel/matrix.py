@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """The portable wheel with each Python and each VTK: a fresh environment from PyPI, the tests of this folder in it,
-results compared with the bytes of the C++ filter. Prints a table for Documentation/reference/python.md; not part of the tests.
+results compared with the bytes of the C++ filter. Prints a table for Documentation/results/systems.md; not part of the tests.
 
     xvfb-run -a Testing/Wheel/matrix.py [--build BUILD | --reference FILE] [--wheels FOLDER] [--vtk 9.2,9.4,...] [--tests NAME,...] PYTHON...
 

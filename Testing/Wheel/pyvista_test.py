@@ -235,7 +235,7 @@ class Documentation(unittest.TestCase):
         self.assertIn("proved", said)
 
     def test_printed_programs_run(self):
-        page = (SOURCE / "Documentation" / "reference" / "python.md").read_text(encoding="utf-8")
+        page = (SOURCE / "Documentation" / "how-to" / "python.md").read_text(encoding="utf-8")
         names, said = self.run_blocks(re.findall(r"```python\n(.*?)```", page, re.DOTALL))
         self.assertIn("2000 triangles", said)
         self.assertLessEqual(names["small"].report["proof.upper"], 0.2)
