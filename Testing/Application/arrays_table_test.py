@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of arrays in Documentation/reference/data.md: the same file through the program and through two of VTK's filters.
+"""The table of arrays in Documentation/results/formats.md: the same file through the program and through two of VTK's filters.
 
 The expected value comes from VTK's locators: interpolated at the closest position on the input, or that of the closest
 input point, or that of the cell closest to the centroid of the triangle. `arrays_table_test.py --print` prints the table. The
@@ -15,7 +15,7 @@ import vtk
 
 from application import ApplicationTest, main, read, torus, write
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "reference" / "data.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "results" / "formats.md"
 PRINTS = False
 TRIANGLES = 480
 WHOLE_TYPES = (

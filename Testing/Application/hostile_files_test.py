@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of files in Documentation/reference/bad-input.md: problem of a file, exit code and message of the program.
+"""The table of files in Documentation/results/invalid-files.md: problem of a file, exit code and message of the program.
 
 Each row is tried in every format that it names, with a limit of the memory of the process. The message is that of the first
 format. `hostile_files_test.py --print` prints the table that the page must contain.
@@ -29,7 +29,7 @@ from application import (
 from damaged_files_test import TEXTS
 from volumes_test import ball
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "reference" / "bad-input.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "results" / "invalid-files.md"
 MEMORY = 1 << 29  # bytes of data that a process may have; 10^9 of anything are more
 LARGEST = 1 << 28  # bytes that the largest of the processes was resident with, at most
 BILLION = "1000000000"

@@ -23,6 +23,11 @@ class Tables(ApplicationTest):
         rows = [row.split("|")[1] for row in page.splitlines() if row.startswith("| `")]
         self.assertLessEqual(set(FORMATS), {name for row in rows for name in re.findall(r"`(\w+)`", row)})
 
+    def test_every_flag_of_the_program_is_on_the_page_of_options(self):
+        flags = set(re.findall(r"(?m)^  (?:-h,)?(--[a-z-]+)", self.succeed("--help").stdout))
+        page = (ROOT / "Documentation" / "reference" / "options.md").read_text(encoding="utf-8")
+        self.assertLessEqual(flags - {"--help", "--version", "--options-markdown", "--profiles-markdown"}, set(re.findall(r"`(--[a-z-]+)", page)))
+
     def test_modes_are_those_of_the_option_and_prove_what_they_say(self):
         write(torus(), self.path("in.ply"))
         values = re.search(r"\| `--mode` \| (.*?) \|", self.succeed("--options-markdown").stdout)[1]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A proximal femur under load in CalculiX, from the full surface and from results: the table of Documentation/how-to/triangle-shapes.md.
+"""A proximal femur under load in CalculiX, from the full surface and from results: the table of Documentation/results/triangle-shapes.md.
 
     bone_under_load.py --program BONEDECIMATE [--work FOLDER] [--error 0.5] [--size 4] FEMUR
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times the extraction of label maps by vtkBoneSurfaces and by VTK's filters: the table of Documentation/how-to/label-maps.md.
+"""Times the extraction of label maps by vtkBoneSurfaces and by VTK's filters: the table of Documentation/results/measurements.md.
 
     label_maps.py [--repeats 7] [--ct Cranium.inv3]
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether volume meshers take surfaces as they are: tables of Documentation/how-to/triangle-shapes.md.
+"""Whether volume meshers take surfaces as they are: tables of Documentation/results/triangle-shapes.md.
 
     meshers.py --programs build/release/bin [--work FOLDER] [--error 0.5] [--angles 0,20,30] [--lengths 2] [--peers] [--meshers TetGen,gmsh] SURFACE|leg|small-leg...
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Remeshing by this project and by peers at equal numbers of triangles: tables of Documentation/how-to/triangle-shapes.md.
+"""Remeshing by this project and by peers at equal numbers of triangles: tables of Documentation/results/triangle-shapes.md.
 
     remeshers.py --programs build/release/bin [--work FOLDER] [--length 2] [--lengths 1.5,2,3] [--with-meshlib] [BONE|SURFACE.ply ...]
 

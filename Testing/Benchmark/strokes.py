@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times the strokes of a brush by vtkBoneDecimate: the table of Documentation/how-to/tolerance.md.
+"""Times the strokes of a brush by vtkBoneDecimate: the table of Documentation/results/measurements.md.
 
     strokes.py SURFACE [--strokes 10] [--radius 12.5] [--error 0.2] [--mode Fast] [--threads 2] [--repeats 3] [--whole]
 

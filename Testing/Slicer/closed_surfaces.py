@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surfaces of a segmentation node by the panel's logic and by Slicer's own conversion: the table of Documentation/reference/slicer.md.
+"""Surfaces of a segmentation node by the panel's logic and by Slicer's own conversion: the table of Documentation/results/slicer.md.
 
     closed_surfaces.py [--picture FILE.png] [NAME ...]
 

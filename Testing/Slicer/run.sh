@@ -5,7 +5,7 @@
 # Slicer's core from PyPI runs the program and the scripted module's logic.
 #
 #   Testing/Slicer/run.sh [BUILD]      with the programs of BUILD, by default build/release; environment in BUILD/slicer
-#   TABLE=1 Testing/Slicer/run.sh      prints the table of Documentation/reference/slicer.md and draws its picture, too (the CT is in
+#   TABLE=1 Testing/Slicer/run.sh      prints the table of Documentation/results/slicer.md and draws its picture, too (the CT is in
 #                                      Debian's invesalius-examples)
 #
 # Takes about 500 MB and some minutes the first time; not part of the test suite.

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Volumes written by other programs are read voxel by voxel and direction by direction as these programs say.
 
-`formats_test.py --print` prints the table of Documentation/reference/volumes.md.
+`formats_test.py --print` prints the table of Documentation/results/formats.md.
 """
 
 import json
@@ -23,7 +23,7 @@ import tifffile
 
 import dicom_segmentations
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "reference" / "volumes.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "results" / "formats.md"
 TYPES = {"unsigned char": np.uint8, "signed char": np.int8, "short": np.int16, "unsigned short": np.uint16, "int": np.int32,
          "unsigned int": np.uint32, "long long": np.int64, "unsigned long long": np.uint64, "float": np.float32,
          "double": np.float64}

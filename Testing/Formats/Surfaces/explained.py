@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Differences that remain: which reader, in which variants, and why the program's reading is right.
 
-explained.py prints the table of Documentation/reference/files.md.
+explained.py prints the table of Documentation/results/formats.md.
 """
 
 import dataclasses
@@ -146,7 +146,7 @@ EXPLAINED = OBJ + STL + STL_BINARY + PLY + LEGACY_VTK + VTP + THREE_MF + GLB
 
 
 def table():
-    """The rows of Documentation/reference/files.md; the same reason is there once."""
+    """The rows of Documentation/results/formats.md; the same reason is there once."""
     rows = {}
     for e in EXPLAINED:
         rows.setdefault((e.formats, e.readers, e.reason), []).append(" and ".join(f"{n}: {', '.join(map(str, v))}" for n, v in e.when.items()))

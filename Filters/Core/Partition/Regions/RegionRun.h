@@ -12,7 +12,7 @@
  *     joined   = JoinRegions(results)          into the unchanged rest
  *     CheckJoined(input, joined)               by coordinates
  *
- * Documentation/how-to/tolerance.md says when, and why the proof holds.
+ * Documentation/explanation/partition.md says when, and why the proof holds.
  */
 #ifndef BoneDecimate_Core_Partition_Regions_RegionRun_h
 #define BoneDecimate_Core_Partition_Regions_RegionRun_h

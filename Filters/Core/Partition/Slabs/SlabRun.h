@@ -13,7 +13,7 @@
  *     Finish    the whole surface, its figures and the proof
  *
  * The largest error holds between the whole original and the whole result.
- * Documentation/how-to/slabs.md says why.
+ * Documentation/explanation/partition.md says why.
  */
 #ifndef BoneDecimate_Core_Partition_Slabs_SlabRun_h
 #define BoneDecimate_Core_Partition_Slabs_SlabRun_h
