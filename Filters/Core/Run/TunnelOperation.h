@@ -8,7 +8,7 @@
  *     result = run(closed)                errors, distances and proof refer to the closed surface
  *     origins of the result               as ids of the input; on plugs the nearest ones
  *
- * Documentation/tunnels.md says what this means for the error.
+ * Documentation/how-to/tunnels.md says what this means for the error.
  */
 #ifndef BoneDecimate_Core_Run_TunnelOperation_h
 #define BoneDecimate_Core_Run_TunnelOperation_h

@@ -15,8 +15,8 @@
  * the reference: a point of the reference is at most used(t) from its nearest point of the
  * input, which is at most left from the result, linear on t; a point of the result is at most
  * left from a triangle t, which is at most b(t) from the reference. Boundaries are treated in
- * the same way, with one bound for all. Documentation/explanation/partition.md gives the proof. Where
- * nothing is left the input is constrained.
+ * the same way, with one bound for all. Documentation/explanation/partition.md gives the proof.
+ * Where nothing is left the input is constrained.
  */
 #ifndef BoneDecimate_Core_Run_Input_ReferenceInput_h
 #define BoneDecimate_Core_Run_Input_ReferenceInput_h
