@@ -50,7 +50,7 @@ def write_balls(path, *balls):
 
 
 class Scene:
-    """The surfaces of a page, read as Documentation/reference/page.md describes them."""
+    """The surfaces of a page, read as Applications/Picture/README.md describes them."""
 
     def __init__(self, page):
         text = page.read_text(encoding="utf-8")

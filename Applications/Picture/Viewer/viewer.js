@@ -12,7 +12,7 @@ const SIDES = ['before', 'after'];
 
 export class Viewer {
   /**
-   * @param scene As Documentation/reference/page.md describes it.
+   * @param scene As Applications/Picture/README.md describes it.
    * @param piecesOf Gives the pieces of a surface by its index in the scene: { parts, points, triangles, distances } (decode.js).
    */
   constructor(scene, piecesOf) {
