@@ -4,6 +4,7 @@
 
 import json
 import pathlib
+import re
 
 from jsonschema import Draft202012Validator
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -12,6 +13,7 @@ from application import ApplicationTest, main, sphere, together, torus, write
 from label_maps import blocks, write_map
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = [page for page in (ROOT / "Documentation").glob("*/*.md") if page.parent.name != "results"]
 SCHEMAS = {name: json.loads((ROOT / "Documentation" / f"{name}.schema.json").read_text(encoding="utf-8")) for name in ("report", "certificate")}
 
 
@@ -37,6 +39,14 @@ class Schemas(ApplicationTest):
     def test_are_schemas_themselves(self):
         for schema in SCHEMAS.values():
             Draft202012Validator.check_schema(schema)
+
+    def test_have_every_key_that_a_page_names(self):
+        schema, text = SCHEMAS["report"], json.dumps(SCHEMAS["report"])
+        described = {key for key, value in schema["properties"].items() if "properties" in value or "$ref" in value}
+        named = {(key, page.name) for page in PAGES for key in re.findall(r"`([a-z_]+(?:\.[a-z_]+)+)`", page.read_text(encoding="utf-8"))}
+        named = {(key, page) for key, page in named if key.split(".")[0] in described and not re.search(r"\.of_|\.(?:vtp|json|csv|html)$", key)}
+        self.assertGreater(len(named), 30)
+        self.assertEqual([name for name in sorted(named) if any(f'"{word}"' not in text for word in name[0].split("."))], [])
 
     def test_describe_reports(self):
         write(together(torus(), sphere(8, center=60.0), hemisphere()), self.path("in.ply"))
