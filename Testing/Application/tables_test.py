@@ -23,8 +23,22 @@ class Tables(ApplicationTest):
         rows = [row.split("|")[1] for row in page.splitlines() if row.startswith("| `")]
         self.assertLessEqual(set(FORMATS), {name for row in rows for name in re.findall(r"`(\w+)`", row)})
 
+    def flags_of(self, *command):
+        return set(re.findall(r"(?m)^  (?:-h,)?(--[a-z-]+)", self.succeed(*command, "--help").stdout))
+
+    def test_commands_on_pages_have_flags_that_the_program_has(self):
+        commands = set(re.findall(r"bonedecimate ([a-z]+) ", self.succeed("--help").stdout))
+        used = {}
+        for page in [ROOT / "README.md", *(ROOT / "Documentation").glob("*/*.md")]:
+            for line in re.findall(r"(?m)^(?: {4})?bonedecimate ([^#\n]+)", page.read_text(encoding="utf-8")):
+                first = line.split()[0]
+                used.setdefault((first,) if first in commands else (), set()).update(re.findall(r"(?<=\s)--[a-z-]+", line))
+        self.assertGreater(len(used), 5)
+        for command, flags in used.items():
+            self.assertEqual(flags - self.flags_of(*command), set(), command)
+
     def test_every_flag_of_the_program_is_on_the_page_of_options(self):
-        flags = set(re.findall(r"(?m)^  (?:-h,)?(--[a-z-]+)", self.succeed("--help").stdout))
+        flags = self.flags_of()
         page = (ROOT / "Documentation" / "reference" / "options.md").read_text(encoding="utf-8")
         of_the_build = {"--help", "--version", "--options-markdown", "--profiles-markdown"}
         self.assertEqual(flags - of_the_build - set(re.findall(r"`(--[a-z-]+)", page)), set())
