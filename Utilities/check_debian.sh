@@ -4,7 +4,7 @@
 #
 # Clones the commit into a root of another release of Debian, builds everything there, the plugin for ParaView too, and runs all tests.
 # Then the Debian package is built and installed, and the examples of the README and of other pages run with what it installed.
-# The last line is a row for the table of systems in Documentation/reference/versions.md.
+# The last line is a row for the table of systems in Documentation/results/systems.md.
 # Needs root, debootstrap and about 10 GB.
 #   Utilities/check_debian.sh RELEASE [FOLDER]     for example: trixie
 # FOLDER keeps the root with its packages and its build, and the next run continues from there; otherwise the root is removed at the end.

@@ -30,7 +30,7 @@
  * updates fail until it gets a valid one.
  *
  * The log (GetLog()) can be stored in a file and set in another instance with the same input
- * (SetLog()), which then does not run. Documentation/how-to/levels.md has the format.
+ * (SetLog()), which then does not run. Filters/Core/Levels/README.md has the format.
  *
  * @sa vtkBoneDecimate
  */

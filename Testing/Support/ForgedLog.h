@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ForgedLog.h
- * @brief A log of levels with the checksum of its bytes, as Documentation/how-to/levels.md says, so
+ * @brief A log of levels with the checksum of its bytes, as Filters/Core/Levels/README.md says, so
  * that readers reach the invalid content before it.
  */
 #ifndef BoneDecimate_Testing_ForgedLog_h

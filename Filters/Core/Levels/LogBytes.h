@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LogBytes.h
- * @brief Serializes and parses a log of edits. Documentation/how-to/levels.md describes the format.
+ * @brief Serializes and parses a log of edits. Filters/Core/Levels/README.md describes the format.
  */
 #ifndef BoneDecimate_Core_Levels_LogBytes_h
 #define BoneDecimate_Core_Levels_LogBytes_h
