@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The benchmark of label maps and smoothing. Testing/Benchmark/smoothing.sh runs it with all peers.
 
-    python -m smoothingbench --programs build/release/bin --python PATH:PROGRAM --work FOLDER [--compare] [--simplify] [--growth] [--threads]
+    python -m smoothingbench --programs build/release/bin --python PATH:PROGRAM --work FOLDER [--compare] [--network] [--simplify] [--growth] [--threads]
                              [--pictures] [--write-docs] [NAME ...]
 
 Without a section all of them run. NAME selects label maps of --compare, --simplify and --threads. Figures are CSV files in FOLDER; --write-docs copies them, the page that
@@ -14,7 +14,7 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +23,7 @@ from bonebench import machine
 from . import cases, compare, document, growth
 from .methods import Method, all_methods, whole_runs
 
-SECTIONS = ("compare", "simplify", "growth", "threads", "pictures")
+SECTIONS = ("compare", "network", "simplify", "growth", "threads", "pictures")
 
 
 def parsed() -> argparse.Namespace:
@@ -58,9 +58,10 @@ def write_rows(path: Path, columns: Iterable[str], rows: Iterable[dict[str, Any]
             print(", ".join(f"{key} {value}" for key, value in shown.items() if value not in (None, "")), flush=True)
 
 
-def compared(options: argparse.Namespace, methods: dict[str, Method], names: list[str]) -> Iterable[dict[str, Any]]:
+def compared(options: argparse.Namespace, methods: dict[str, Method], names: list[str],
+             shapes: Iterable[tuple[str, Callable[[], cases.Case]]]) -> Iterable[dict[str, Any]]:
     print("methods: " + ", ".join(methods))
-    for name, make in cases.all_cases(options.ct, options.programs / "bonedecimate-phantom"):
+    for name, make in shapes:
         if not names or name in names:
             yield from compare.rows_of(make, methods, options.programs / "bonedecimate-verify", options.samples, options.rounds)
 
@@ -68,11 +69,16 @@ def compared(options: argparse.Namespace, methods: dict[str, Method], names: lis
 def run(section: str, options: argparse.Namespace) -> None:
     target, maps = options.work / f"smoothing-{section}.csv", options.work / "maps"
     maps.mkdir(parents=True, exist_ok=True)
+    shapes = cases.all_cases(options.ct, options.programs / "bonedecimate-phantom")
     if section == "compare":
-        write_rows(target, compare.COLUMNS, compared(options, all_methods(options.python, options.with_meshlib), options.names))
+        methods = all_methods(options.python, options.with_meshlib)
+        write_rows(target, compare.COLUMNS, compared(options, methods, options.names, shapes))
+    elif section == "network":
+        methods = all_methods(options.python, options.with_meshlib)
+        write_rows(target, compare.COLUMNS, compared(options, methods, options.names, cases.network_cases(options.ct)))
     elif section == "simplify":
         names = options.names or ["phantom", *cases.CROPS]
-        write_rows(target, compare.COLUMNS, compared(options, whole_runs(options.python), names))
+        write_rows(target, compare.COLUMNS, compared(options, whole_runs(options.python), names, shapes))
     elif section == "growth":
         write_rows(target, growth.GROWTH_COLUMNS,
                    growth.growth(options.ct, maps, options.python, sys.executable, options.sizes, options.steps,

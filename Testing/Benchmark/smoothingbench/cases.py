@@ -91,6 +91,41 @@ def ct_case(values: np.ndarray, name: str) -> Case:
     return padded(name, "CT", part >= HU, CT_SPACING, origin, truths=gray_level_truths(part, CT_SPACING, origin), box=box)
 
 
+def interpolated(values: np.ndarray, positions: list[np.ndarray]) -> np.ndarray:
+    """Trilinear, at the voxel coordinates of each axis (z, y, x)."""
+    for axis, at in enumerate(positions):
+        low = np.clip(np.floor(at).astype(int), 0, values.shape[axis] - 2)
+        weight = (at - low).reshape([-1 if k == axis else 1 for k in range(3)])
+        values = (1 - weight) * values.take(low, axis) + weight * values.take(low + 1, axis)
+    return values
+
+
+def network_cases(ct: Path) -> Iterator[tuple[str, Callable[[], Case]]]:
+    """Crops as a network segments them on a coarser grid: the map's copy on the voxels of the scan, and the map itself."""
+    values = ct_values(ct)
+    for kind in ("network, file", "network, model"):
+        for name in ("vault", "thin bone", "skull base"):
+            for model in (1.5, 3.0):
+                yield name, lambda kind=kind, name=name, model=model: network_case(values, kind, name, model)
+
+
+def network_case(values: np.ndarray, kind: str, name: str, model: float) -> Case:
+    """The two grids have their first corner in common, as most libraries resample."""
+    part, origin, box = crop_of(values, CROPS[name])
+    spacing, title, truths = np.array(CT_SPACING[::-1]), f"{name}, {model:g} mm", gray_level_truths(part, CT_SPACING, origin)
+    counts = np.floor(np.array(part.shape) * spacing / model).astype(int)
+    coarse = interpolated(part.astype(float), [(np.arange(n) + 0.5) * model / step - 0.5 for n, step in zip(counts, spacing)]) >= HU
+    corner = np.asarray(origin) - 0.5 * np.asarray(CT_SPACING)
+    on_model = padded(title, kind, coarse, (model,) * 3, corner + 0.5 * model, truths=truths, box=box)
+    if kind == "network, model":
+        return on_model
+    margin = np.ceil(model / spacing).astype(int)  # voxels of the scan that the network's layer of background covers
+    nearest = [np.clip(np.floor((np.arange(-more, n + more) + 0.5) * step / model).astype(int) + 1, 0, last + 1)
+               for n, more, step, last in zip(part.shape, margin, spacing, counts)]
+    first = np.asarray(origin) - margin[::-1] * CT_SPACING
+    return Case(title, kind, on_model.labels[np.ix_(*nearest)], np.asarray(CT_SPACING), first, truths, box)
+
+
 def phantom_case(program: Path) -> Case:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "phantom.mha"

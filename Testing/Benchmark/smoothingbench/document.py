@@ -146,6 +146,7 @@ def conditions(run: dict) -> str:
 def tables(folder: Path) -> dict[str, str]:
     compared, bone = read(folder / "smoothing-compare.csv"), ("CT", "phantom")
     every = bone + ("analytic",)
+    network = read(folder / "smoothing-network.csv")
     run = json.loads((folder / RUN).read_text(encoding="utf-8"))
     return {
         "accuracy": by_shape(compared, bone, pair("rms_mm", 3, "normal_degrees", 1)),
@@ -160,6 +161,9 @@ def tables(folder: Path) -> dict[str, str]:
         "seconds": by_shape(compared, bone, one("cpu_seconds", 2)),
         "labels": of_labels(compared),
         "simplified": of_whole_runs(read(folder / "smoothing-simplify.csv")),
+        "network_file": by_shape(network, ("network, file",), pair("rms_mm", 3, "normal_degrees", 1)),
+        "network_model": by_shape(network, ("network, model",), pair("rms_mm", 3, "normal_degrees", 1)),
+        "network_voxels": by_shape(network, ("network, model",), changed_percent),
         "growth": of_growth(read(folder / "smoothing-growth.csv")),
         "threads": of_threads(read(folder / "smoothing-threads.csv")),
         "conditions": conditions(run),
