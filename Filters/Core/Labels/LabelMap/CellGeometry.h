@@ -7,8 +7,8 @@
  * Bits 0, 1 and 2 of a corner are its x, y and z. Edges 0-3 run along x, 4-7 along y, 8-11 along z.
  * Faces 0 and 1 are perpendicular to x, 2 and 3 to y, 4 and 5 to z, the lower one first.
  *
- * A surface in a cell has these points: 0-11 the middle of an edge, 12-17 a point on a face, from
- * 18 on points inside.
+ * Points of a surface in a cell: 0-11 are the midpoints of edges, 12-17 points on faces, from 18 on
+ * points inside.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_CellGeometry_h
 #define BoneDecimate_Core_Labels_LabelMap_CellGeometry_h
@@ -65,14 +65,14 @@ constexpr CellTable<int, 6, 4> MakeFaceEdges()
   return edges;
 }
 
-constexpr bool Lies(int point, std::size_t face, const CellTable<int, 6, 4>& faceEdges)
+constexpr bool LiesOnFace(int point, std::size_t face, const CellTable<int, 6, 4>& faceEdges)
 {
-  bool lies = point == FirstFacePoint + static_cast<int>(face);
+  bool liesOnFace = point == FirstFacePoint + static_cast<int>(face);
   for (const int edge : faceEdges[face])
   {
-    lies = lies || edge == point;
+    liesOnFace = liesOnFace || edge == point;
   }
-  return lies;
+  return liesOnFace;
 }
 
 constexpr CellTable<bool, 18, 18> MakeOnOneFace()
@@ -86,8 +86,8 @@ constexpr CellTable<bool, 18, 18> MakeOnOneFace()
       for (std::size_t face = 0; face < faceEdges.size(); ++face)
       {
         onOneFace[a][b] = onOneFace[a][b] ||
-          (Lies(static_cast<int>(a), face, faceEdges) &&
-            Lies(static_cast<int>(b), face, faceEdges));
+          (LiesOnFace(static_cast<int>(a), face, faceEdges) &&
+            LiesOnFace(static_cast<int>(b), face, faceEdges));
       }
     }
   }
@@ -101,7 +101,7 @@ constexpr CellTable<int, 6, 4> FaceEdges = celltables::MakeFaceEdges();
 /// Whether two points on edges or faces of the cell lie on one face.
 constexpr CellTable<bool, 18, 18> OnOneFace = celltables::MakeOnOneFace();
 
-/// Voxels, in a cell from 0 to 1.
+/// In voxels, in a cell from 0 to 1.
 inline Vector3 CellCorner(int corner)
 {
   return { static_cast<double>(corner & 1), static_cast<double>(corner >> 1 & 1),

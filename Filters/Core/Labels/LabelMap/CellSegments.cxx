@@ -16,16 +16,16 @@ public:
     : Face(face)
     , Edges(FaceEdges[static_cast<std::size_t>(face)])
     , Surface(surface)
-    , Result(segments)
+    , Output(segments)
   {
     const auto& corners = FaceCorners[static_cast<std::size_t>(face)];
     for (std::size_t k = 0; k < 4; ++k)
     {
-      this->Around[k] = labels[static_cast<std::size_t>(corners[k])];
+      this->CornerLabels[k] = labels[static_cast<std::size_t>(corners[k])];
     }
     for (std::size_t k = 0; k < 4; ++k)
     {
-      if (this->Around[k] != this->Around[(k + 1) % 4])
+      if (this->CornerLabels[k] != this->CornerLabels[(k + 1) % 4])
       {
         this->Changes[this->Count++] = k;
       }
@@ -34,13 +34,13 @@ public:
 
   void Add()
   {
-    const auto& [a, b, c, d] = this->Around;
+    const auto& [a, b, c, d] = this->CornerLabels;
     if (this->Count == 2)
     {
       const std::size_t first = this->Changes[0];
       const std::size_t second = this->Changes[1];
-      this->Result.Add(
-        { this->Edges[first], this->Edges[second], this->Around[first], this->Around[second] });
+      this->Output.Add({ this->Edges[first], this->Edges[second], this->CornerLabels[first],
+        this->CornerLabels[second] });
     }
     else if (HasFacePoint(a, b, c, d))
     {
@@ -57,8 +57,8 @@ public:
 private:
   void CutOff(std::size_t corner)
   {
-    this->Result.Add({ this->Edges[(corner + 3) % 4], this->Edges[corner],
-      this->Around[(corner + 1) % 4], this->Around[corner] });
+    this->Output.Add({ this->Edges[(corner + 3) % 4], this->Edges[corner],
+      this->CornerLabels[(corner + 1) % 4], this->CornerLabels[corner] });
   }
 
   void AddFacePoint()
@@ -69,8 +69,8 @@ private:
       const std::size_t k = this->Changes[i];
       const int edge = this->Edges[k];
       mean += MiddleOfEdge(edge) / static_cast<double>(this->Count);
-      this->Result.Add(
-        { FirstFacePoint + this->Face, edge, this->Around[(k + 1) % 4], this->Around[k] });
+      this->Output.Add({ FirstFacePoint + this->Face, edge, this->CornerLabels[(k + 1) % 4],
+        this->CornerLabels[k] });
     }
     this->Surface.SetFacePoint(FirstFacePoint + this->Face, mean);
   }
@@ -78,8 +78,8 @@ private:
   int Face;
   const std::array<int, 4>& Edges;
   CellSurface& Surface;
-  Segments& Result;
-  std::array<Index, 4> Around = {};
+  Segments& Output;
+  std::array<Index, 4> CornerLabels = {};
   std::array<std::size_t, 4> Changes = {}; ///< Edges whose ends have different labels.
   std::size_t Count = 0;
 };
@@ -98,7 +98,7 @@ Segments FindSegments(const CellLabels& labels, CellSurface& surface)
 
 //------------------------------------------------------------------------------
 SegmentParts::SegmentParts(const Segments& segments)
-  : All(segments)
+  : AllSegments(segments)
 {
   std::iota(this->Parents.begin(), this->Parents.end(), 0);
   for (const Segment& segment : segments)
@@ -131,7 +131,7 @@ int SegmentParts::RootOf(int point) const
 Segments SegmentParts::PartOf(int point) const
 {
   Segments part;
-  for (const Segment& segment : this->All)
+  for (const Segment& segment : this->AllSegments)
   {
     if (this->RootOf(segment.First) == point)
     {

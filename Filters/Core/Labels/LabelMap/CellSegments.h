@@ -16,7 +16,7 @@
 
 namespace bonedecimate
 {
-/// On a face of the cell; the labels are those on its left and right seen from outside.
+/// A segment on a face of the cell. The labels are those on its left and right seen from outside.
 struct Segment
 {
   int First;
@@ -28,15 +28,15 @@ struct Segment
   int OtherEnd(int point) const { return this->First == point ? this->Second : this->First; }
 };
 
-/// The segments of a cell, or connected ones of it.
+/// All segments of a cell, or connected ones.
 struct Segments
 {
-  std::array<Segment, 24> All; ///< The first ones are written.
+  std::array<Segment, 24> SegmentArray; ///< Only the first Count.
   std::size_t Count = 0;
 
-  void Add(const Segment& segment) { this->All[this->Count++] = segment; }
-  const Segment* begin() const { return this->All.data(); }
-  const Segment* end() const { return this->All.data() + this->Count; }
+  void Add(const Segment& segment) { this->SegmentArray[this->Count++] = segment; }
+  const Segment* begin() const { return this->SegmentArray.data(); }
+  const Segment* end() const { return this->SegmentArray.data() + this->Count; }
   auto Degree(int point) const
   {
     return std::count_if(
@@ -44,23 +44,23 @@ struct Segments
   }
 };
 
-/// The segments of all faces; sets the positions of the surface's points on faces.
+/// The segments on all faces. Sets the positions of the surface's points on faces.
 Segments FindSegments(const CellLabels& labels, CellSurface& surface);
 
-/// The parts of the segments that are connected.
+/// The connected parts of the segments, numbered by their largest point.
 class SegmentParts
 {
 public:
   explicit SegmentParts(const Segments& segments);
 
-  /// Parts are numbered by their largest point.
+  /// Whether a part has this number.
   bool HasPart(int point) const { return this->Sizes[static_cast<std::size_t>(point)] > 0; }
   Segments PartOf(int point) const;
 
 private:
   int RootOf(int point) const;
 
-  const Segments& All;
+  const Segments& AllSegments;
   std::array<int, FirstInnerPoint> Parents = {};
   std::array<int, FirstInnerPoint> Sizes = {}; ///< Number of segments.
 };

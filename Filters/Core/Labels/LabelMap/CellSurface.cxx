@@ -40,13 +40,13 @@ void CellSurface::SetFacePoint(int point, const Vector3& position)
 
 namespace
 {
-/// Adds the surface that connected segments bound.
+/// Adds the surface that is bounded by connected segments.
 class SurfacePart
 {
 public:
-  SurfacePart(const Segments& segments, Diagonals best, CellSurface& surface)
-    : Part(segments)
-    , Best(best)
+  SurfacePart(const Segments& segments, Diagonals diagonals, CellSurface& surface)
+    : PartSegments(segments)
+    , DiagonalRule(diagonals)
     , Surface(surface)
   {
     for (int point = FirstFacePoint; point < FirstInnerPoint; ++point)
@@ -64,8 +64,8 @@ public:
     {
       this->AddPolygon();
     }
-    else if (this->Count == 2 && this->Part.Degree(this->FacePoints[0]) == 3 &&
-      this->Part.Degree(this->FacePoints[1]) == 3)
+    else if (this->Count == 2 && this->PartSegments.Degree(this->FacePoints[0]) == 3 &&
+      this->PartSegments.Degree(this->FacePoints[1]) == 3)
     {
       this->AddThreePolygons();
     }
@@ -76,14 +76,14 @@ public:
   }
 
 private:
-  /// One loop between two labels: seen from outside of the cell, the larger one is on the left of
+  /// One loop between two labels. Seen from outside of the cell, the larger label is on the left of
   /// every segment.
   void AddPolygon()
   {
-    const Segment& first = *this->Part.begin();
+    const Segment& first = *this->PartSegments.begin();
     const Index larger = std::max(first.Left, first.Right);
     std::array<int, NumberOfCellEdges> next = {};
-    for (const Segment& segment : this->Part)
+    for (const Segment& segment : this->PartSegments)
     {
       const bool forward = segment.Left == larger;
       next[static_cast<std::size_t>(forward ? segment.First : segment.Second)] =
@@ -96,17 +96,19 @@ private:
       loop.Add(point);
       point = next[static_cast<std::size_t>(point)];
     } while (point != first.First);
-    TriangulateLoop(loop, std::min(first.Left, first.Right), larger, this->Best, this->Surface);
+    TriangulateLoop(
+      loop, std::min(first.Left, first.Right), larger, this->DiagonalRule, this->Surface);
   }
 
-  /// Walls between three labels; the edge between the two points on faces belongs to all of them.
+  /// Walls between three labels, with a common edge between the two points on faces.
   void AddThreePolygons()
   {
-    for (const Segment& first : this->Part)
+    for (const Segment& first : this->PartSegments)
     {
       if (first.First == this->FacePoints[0])
       {
-        TriangulateLoop(this->LoopAlong(first), first.Right, first.Left, this->Best, this->Surface);
+        TriangulateLoop(
+          this->LoopAlong(first), first.Right, first.Left, this->DiagonalRule, this->Surface);
       }
     }
   }
@@ -121,7 +123,7 @@ private:
     while (point != this->FacePoints[1])
     {
       loop.Add(point);
-      last = std::find_if(this->Part.begin(), this->Part.end(),
+      last = std::find_if(this->PartSegments.begin(), this->PartSegments.end(),
         [&](const Segment& segment) { return &segment != last && segment.Has(point); });
       point = last->OtherEnd(point);
     }
@@ -132,14 +134,14 @@ private:
   void AddCone()
   {
     const int apex = this->Surface.AddInnerPoint(this->Center());
-    for (const Segment& segment : this->Part)
+    for (const Segment& segment : this->PartSegments)
     {
       this->Surface.Add({ { apex, segment.First, segment.Second }, segment.Right, segment.Left });
     }
   }
 
-  /// The mean of the points on faces; with one of them that of the segments, because it must not
-  /// lie on a face.
+  /// The mean of the points on faces. If there is only one, the mean of the segments, because the
+  /// apex must not lie on a face.
   Vector3 Center() const
   {
     Vector3 sum = Vector3::Zero();
@@ -151,15 +153,15 @@ private:
       }
       return sum / static_cast<double>(this->Count);
     }
-    for (const Segment& segment : this->Part)
+    for (const Segment& segment : this->PartSegments)
     {
       sum += this->Surface.Position(segment.First) + this->Surface.Position(segment.Second);
     }
-    return sum / (2.0 * static_cast<double>(this->Part.Count));
+    return sum / (2.0 * static_cast<double>(this->PartSegments.Count));
   }
 
-  const Segments& Part;
-  Diagonals Best;
+  const Segments& PartSegments;
+  Diagonals DiagonalRule;
   CellSurface& Surface;
   std::array<int, NumberOfCellFaces> FacePoints = {};
   std::size_t Count = 0;
@@ -196,13 +198,13 @@ void BuildCellSurface(const CellLabels& labels, CellSurface& surface)
   surface.Clear();
   const Segments segments = FindSegments(labels, surface);
   const SegmentParts parts(segments);
-  const Diagonals best = BestDiagonals(labels);
+  const Diagonals diagonals = BestDiagonals(labels);
   for (int point = 0; point < FirstInnerPoint; ++point)
   {
     if (parts.HasPart(point))
     {
       const Segments part = parts.PartOf(point);
-      SurfacePart(part, best, surface).Add();
+      SurfacePart(part, diagonals, surface).Add();
     }
   }
 }

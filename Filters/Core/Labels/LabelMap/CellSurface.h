@@ -4,22 +4,22 @@
  * @file CellSurface.h
  * @brief The surface between the labels at the eight corners of a cell.
  *
- * The curves in which it meets the faces of the cell depend on the labels of that face alone, so
- * the surfaces of neighboring cells fit together. Labels are ranks (LabelRanks.h): 0 is the
- * background. On a face with the labels a0 to a3 around it:
+ * The curves in which it meets the faces of the cell depend only on the labels of the face, so the
+ * surfaces of neighboring cells fit together. Labels are ranks (LabelRanks.h): 0 is the background.
+ * On a face with the labels a0 to a3 in cyclic order:
  *
  *     two edges with different ends      a segment from one to the other
- *     ABAC, in turn                      B and C are cut off by a segment each
+ *     ABAC                               B and C are cut off by a segment each
  *     ABAB                               the larger rank is cut off at both corners, so
  *                                        the background stays connected
- *     three or four labels otherwise     a point on the face, at the mean of the
- *                                        edges' middles, a segment to each
+ *     three or four labels otherwise     a point on the face, at the mean of the midpoints of
+ *                                        its edges with different ends, and a segment to each
  *
  * Connected segments of a cell bound one part of its surface:
  *
  *     no point on a face                        one polygon between two labels
- *     two points on faces, three segments each  three polygons with the edge
- *                                               between these points in common
+ *     two points on faces, three segments each  three polygons with a common edge
+ *                                               between these points
  *     else                                      a cone to the mean of the points on faces
  *
  * Polygons get no diagonal in a face of the cell, where the neighboring cell might have the same
@@ -62,15 +62,15 @@ public:
   const CellTriangle* end() const { return this->Triangles.data() + this->Size; }
   std::size_t NumberOfTriangles() const { return this->Size; }
   std::size_t NumberOfInnerPoints() const { return this->InnerPoints; }
-  /// Voxels, in a cell from 0 to 1; of a point that the surface has.
+  /// Position of a point of the surface in voxels, in a cell from 0 to 1.
   const Vector3& Position(int point) const
   {
     return this->Positions[static_cast<std::size_t>(point)];
   }
 
 private:
-  // Four segments on each of six faces have at most one triangle each, and each inner point needs a
-  // face of its own.
+  // Each of four segments on six faces has at most one triangle, and each inner point needs a face
+  // of its own.
   std::array<CellTriangle, 24> Triangles = {};
   std::array<Vector3, FirstInnerPoint + NumberOfCellFaces> Positions;
   std::size_t Size = 0;
@@ -88,9 +88,8 @@ inline bool HasFacePoint(Index a, Index b, Index c, Index d)
 void BuildCellSurface(const CellLabels& labels, CellSurface& surface);
 
 /**
- * The surfaces of cells of two labels, made by BuildCellSurface: bit c of the index is set if
- * corner c has the larger rank. The labels of their triangles are 0 for the smaller rank and 1 for
- * the larger.
+ * The surfaces of cells with two labels: bit c of the index is set if corner c has the larger rank.
+ * The labels of their triangles are 0 for the smaller rank and 1 for the larger.
  */
 const std::array<CellSurface, 256>& TwoLabelSurfaces();
 }

@@ -16,22 +16,22 @@ namespace bonedecimate
 {
 struct PieceOptions
 {
-  std::vector<std::int64_t> Labels; ///< Whose pieces are looked at; empty: all but the background.
+  std::vector<std::int64_t> Labels; ///< Labels to change; empty: all but the background.
   std::int64_t Background = 0;
   IslandLimits Islands;
-  double CavityVolume = 0.0; ///< mm^3, the largest that is filled. 0: off.
+  double CavityVolume = 0.0; ///< mm^3; larger cavities are kept. 0: off.
 };
 
 struct PieceCounts
 {
-  bool FitInt64 = true;                ///< Whether all labels do. If not, nothing is changed.
+  bool FitInt64 = true;                ///< Whether all labels do; if not, nothing changes.
   std::vector<SegmentPieces> Islands;  ///< By label, ascending; empty without a limit.
-  std::vector<SegmentPieces> Cavities; ///< The same of cavities.
+  std::vector<SegmentPieces> Cavities; ///< The same for cavities.
 };
 
 /**
- * Islands are removed first, then cavities are filled.
- * @param labels Change; contiguous, x fastest, then y; as many as the grid has voxels.
+ * Removes islands first, then fills cavities.
+ * @param labels Changed; contiguous, x fastest, then y; as many as the grid has voxels.
  */
 PieceCounts ChangePieces(
   const PieceOptions& options, void* labels, LabelType type, const VoxelGrid& grid);

@@ -9,16 +9,16 @@
 namespace bonedecimate
 {
 EnclosedLabel FindEnclosedLabel(
-  const std::vector<std::int64_t>& values, std::int64_t wanted, std::int64_t background)
+  const std::vector<std::int64_t>& values, std::int64_t requested, std::int64_t background)
 {
   std::vector<std::int64_t> labels = values;
   labels.erase(std::remove(labels.begin(), labels.end(), background), labels.end());
-  if (wanted != background)
+  if (requested != background)
   {
-    const bool isThere = std::find(labels.begin(), labels.end(), wanted) != labels.end();
-    return { wanted,
+    const bool isThere = std::find(labels.begin(), labels.end(), requested) != labels.end();
+    return { requested,
       isThere ? std::string()
-              : "the label map has no voxel with the label " + std::to_string(wanted) };
+              : "the label map has no voxel with the label " + std::to_string(requested) };
   }
   if (labels.empty())
   {

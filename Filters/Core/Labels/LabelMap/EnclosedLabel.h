@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EnclosedLabel.h
- * @brief Which label of a map a surface encloses that does not say it.
+ * @brief The label of a map that a surface without labels encloses.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_EnclosedLabel_h
 #define BoneDecimate_Core_Labels_LabelMap_EnclosedLabel_h
@@ -21,10 +21,10 @@ struct EnclosedLabel
 
 /**
  * @param values The values of the map, ascending.
- * @param wanted The background: the only other label of the map.
+ * @param requested A label, or the background: then the map must have one other label.
  */
 EnclosedLabel FindEnclosedLabel(
-  const std::vector<std::int64_t>& values, std::int64_t wanted, std::int64_t background);
+  const std::vector<std::int64_t>& values, std::int64_t requested, std::int64_t background);
 }
 
 #endif

@@ -60,7 +60,7 @@ LabelImage MakeLabelImage(const Scalar* labels, const VoxelGrid& grid)
   return { labels, LabelTypeOf<Scalar>(), grid };
 }
 
-/// Calls work with the labels as a pointer to their type.
+/// Calls work(labels) with a pointer of their type.
 template <typename Work>
 auto WithLabelsOf(const LabelImage& image, const Work& work)
 {

@@ -15,8 +15,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// The labels of a map but the background, ascending: the label of rank r is the one before index
-/// r.
+/// The labels of a map without the background, ascending: the label of rank r has the index r - 1.
 std::vector<std::int64_t> LabelsOf(const LabelImage& image, std::int64_t background)
 {
   std::vector<std::int64_t> labels = FindLabelValues(image, 0, {}).Values;
@@ -24,7 +23,7 @@ std::vector<std::int64_t> LabelsOf(const LabelImage& image, std::int64_t backgro
   return labels;
 }
 
-/// A map in runs, and which of its ranks are segments.
+/// The runs of a map, and which of its ranks are segments.
 class SegmentRuns
 {
 public:
@@ -61,8 +60,8 @@ public:
     return this->Changes.Segments[this->IndexOfRank[static_cast<std::size_t>(rank)]];
   }
 
-  /// Adds a piece to those of a label that change.
-  void Note(Index rank, std::size_t voxels, double amount)
+  /// Counts a piece that changes.
+  void CountPiece(Index rank, std::size_t voxels, double amount)
   {
     const Vector3& spacing = this->Grid.Spacing;
     SegmentPieces& segment = this->SegmentOf(rank);
@@ -71,7 +70,7 @@ public:
     segment.Volume += amount * (spacing[0] * spacing[1] * spacing[2] * this->Grid.UnitVolume());
   }
 
-  /// Notes that a run gets a label.
+  /// Changes the label of a run.
   void Change(const LabelRun& run, Index rank)
   {
     const std::int64_t label =
@@ -145,7 +144,7 @@ public:
 private:
   struct Island
   {
-    Index Rank = Unknown; ///< That it gets.
+    Index Rank = Unknown; ///< The new rank.
     /// mm^2 of its boundary, by ranks that stay and by other islands.
     std::map<Index, double> AreaOfRank;
     std::map<std::size_t, double> AreaOfIsland;
@@ -207,7 +206,7 @@ private:
       piece.Amount * this->Segments.VoxelVolume < this->Limits.Volume;
   }
 
-  /// All pieces that are too small but the largest of each segment.
+  /// All pieces that are too small, except the largest of each segment.
   void FindIslands()
   {
     std::map<Index, std::size_t> largest;
@@ -228,14 +227,14 @@ private:
       if (isTooSmall && !isLargest)
       {
         this->Islands[first];
-        this->Segments.Note(this->Runs[first].Rank, piece.Voxels, piece.Amount);
+        this->Segments.CountPiece(this->Runs[first].Rank, piece.Voxels, piece.Amount);
       }
     }
   }
 
   void FindContacts()
   {
-    const auto note = [&](std::size_t run, std::size_t other, double area)
+    const auto addContact = [&](std::size_t run, std::size_t other, double area)
     {
       const auto island = this->Islands.find(this->PieceOf[run]);
       if (island == this->Islands.end())
@@ -262,19 +261,19 @@ private:
     this->Segments.Runs.VisitFaces(
       [&](std::size_t run, std::size_t other, double area)
       {
-        note(run, other, area);
+        addContact(run, other, area);
         if (other != LabelRuns::None)
         {
-          note(other, run, area);
+          addContact(other, run, area);
         }
       });
   }
 
-  /// In rounds: islands that touch others alone get the labels that these got in the round before,
-  /// or in the end none.
+  /// In rounds: islands that touch only other islands get the labels that these got in the rounds
+  /// before. The rest gets the background.
   void GiveLabels()
   {
-    for (bool goesOn = true; goesOn;)
+    for (bool shouldContinue = true; shouldContinue;)
     {
       std::vector<std::pair<Island*, Index>> round;
       for (auto& [first, island] : this->Islands)
@@ -289,11 +288,11 @@ private:
       {
         island->Rank = rank;
       }
-      goesOn = !round.empty();
+      shouldContinue = !round.empty();
     }
   }
 
-  /// With the largest area; of equal ones the least rank.
+  /// The rank with the largest area; the least of several.
   Index RankAround(const Island& island) const
   {
     std::map<Index, double> areas = island.AreaOfRank;
@@ -343,7 +342,7 @@ PieceChanges FindIslands(const LabelImage& image, const std::vector<std::int64_t
 
 //------------------------------------------------------------------------------
 PieceChanges FindCavities(const LabelImage& image, const std::vector<std::int64_t>& segments,
-  std::int64_t background, double largestVolume)
+  std::int64_t background, double maxVolume)
 {
   SegmentRuns runs(image, segments, background);
   const std::vector<LabelRun>& all = runs.Runs.All();
@@ -375,13 +374,13 @@ PieceChanges FindCavities(const LabelImage& image, const std::vector<std::int64_
   const auto isFilled = [&](const Cavity& cavity)
   {
     return cavity.Rank > 0 && runs.IsSegment(cavity.Rank) &&
-      cavity.Amount * runs.VoxelVolume <= largestVolume;
+      cavity.Amount * runs.VoxelVolume <= maxVolume;
   };
   for (const auto& [first, cavity] : cavities)
   {
     if (isFilled(cavity))
     {
-      runs.Note(cavity.Rank, cavity.Voxels, cavity.Amount);
+      runs.CountPiece(cavity.Rank, cavity.Voxels, cavity.Amount);
     }
   }
   for (std::size_t run = 0; run < all.size(); ++run)

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelPieces.h
- * @brief Small islands and cavities of the segments of a label map, and the voxels that get another
- * label without them.
+ * @brief Small islands and cavities of the segments of a label map, and the voxels whose label
+ * changes when they are removed.
  *
- *     island   a piece of a segment, connected by faces of voxels, other
- *              than the largest of the segment
- *     cavity   a piece of background, connected by faces or edges of voxels, that does not reach
- *              the end of the image and touches one segment alone
+ *     island   a piece of a segment, connected by faces of voxels, other than the largest
+ *              of the segment
+ *     cavity   a piece of background, connected by faces or edges of voxels, that does not
+ *              reach the end of the image and touches only one segment
  *
- * Surfaces of the map have as many components as these pieces say (LabelSurfaces.h). An island gets
- * the label on the largest part of its boundary, the background included; the end of the image
+ * Surfaces of the map have one component for each of these pieces (LabelSurfaces.h). An island gets
+ * the label with the largest part of its boundary, the background included; the end of the image
  * counts as background. A cavity gets the label of its segment.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_LabelPieces_h
@@ -25,7 +25,7 @@
 
 namespace bonedecimate
 {
-/// An island below any of these is removed. 0: off.
+/// Islands below any of these are removed. 0: off.
 struct IslandLimits
 {
   double Size = 0.0;   ///< mm, the longest side of its box of voxels, along the axes of the image.
@@ -44,10 +44,11 @@ struct VoxelRun
 struct SegmentPieces
 {
   std::int64_t Label = 0;
-  std::int64_t Pieces = 0;        ///< Islands that are removed, or cavities that are filled.
-  std::int64_t Voxels = 0;        ///< Voxels of all these pieces.
-  double Volume = 0.0;            ///< mm^3, of all of them.
-  bool IsLargestTooSmall = false; ///< The largest piece, which stays, is below a limit, too.
+  std::int64_t Pieces = 0; ///< Islands that are removed, or cavities that are filled.
+  std::int64_t Voxels = 0; ///< Voxels of all these pieces.
+  double Volume = 0.0;     ///< mm^3, of all of them.
+  bool IsLargestTooSmall =
+    false; ///< Whether even the largest piece, which is kept, is below a limit.
 };
 
 struct PieceChanges
@@ -56,13 +57,14 @@ struct PieceChanges
   std::vector<SegmentPieces> Segments; ///< The requested segments, ascending.
 };
 
-/// @param segments Labels, each once, not the background. @param background Its label.
+/// @param segments Labels, each once, without the background.
+/// @param background Label of the background.
 PieceChanges FindIslands(const LabelImage& image, const std::vector<std::int64_t>& segments,
   std::int64_t background, const IslandLimits& limits);
 
 /// Cavities of at most this volume, mm^3.
 PieceChanges FindCavities(const LabelImage& image, const std::vector<std::int64_t>& segments,
-  std::int64_t background, double largestVolume);
+  std::int64_t background, double maxVolume);
 }
 
 #endif

@@ -15,10 +15,10 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr std::size_t MaxTable = std::size_t(1) << 20U;
-constexpr std::size_t VoxelsInAPart = std::size_t(1) << 18U;
+constexpr std::size_t MaxTableSize = std::size_t(1) << 20U;
+constexpr std::size_t VoxelsPerPart = std::size_t(1) << 18U;
 
-/// Types of up to two bytes: a flag for each value.
+/// For types of up to two bytes: a flag for each value.
 template <typename Scalar>
 void FindInTable(const Scalar* values, std::size_t count, std::vector<Scalar>& found)
 {
@@ -37,7 +37,7 @@ void FindInTable(const Scalar* values, std::size_t count, std::vector<Scalar>& f
   }
 }
 
-/// Other types: most voxels have the label of the one before.
+/// For other types: most voxels have the label of the one before.
 template <typename Scalar>
 void FindInSet(const Scalar* values, std::size_t count, std::vector<Scalar>& found)
 {
@@ -82,12 +82,12 @@ LabelValues Int64Values(const std::vector<Scalar>& values)
 template <typename Scalar>
 LabelValues FindValues(const Scalar* values, std::size_t count, int threads, const Monitor& monitor)
 {
-  std::vector<std::vector<Scalar>> found((count + VoxelsInAPart - 1) / VoxelsInAPart);
+  std::vector<std::vector<Scalar>> found((count + VoxelsPerPart - 1) / VoxelsPerPart);
   const bool isComplete = ForEachPart(found.size(), threads, monitor,
     [&](std::size_t part)
     {
-      const std::size_t first = part * VoxelsInAPart;
-      const std::size_t size = std::min(count - first, VoxelsInAPart);
+      const std::size_t first = part * VoxelsPerPart;
+      const std::size_t size = std::min(count - first, VoxelsPerPart);
       if constexpr (sizeof(Scalar) <= 2)
       {
         FindInTable(values + first, size, found[part]);
@@ -125,15 +125,15 @@ LabelRanks::LabelRanks(std::vector<std::int64_t> labels)
   {
     return;
   }
-  this->Least = this->Labels.front();
+  this->MinLabel = this->Labels.front();
   const std::uint64_t range =
-    static_cast<std::uint64_t>(this->Labels.back()) - static_cast<std::uint64_t>(this->Least);
-  if (range < MaxTable)
+    static_cast<std::uint64_t>(this->Labels.back()) - static_cast<std::uint64_t>(this->MinLabel);
+  if (range < MaxTableSize)
   {
     this->Table.assign(range + 1, 0);
     for (std::size_t i = 0; i < this->Labels.size(); ++i)
     {
-      this->Table[static_cast<std::size_t>(this->Labels[i] - this->Least)] =
+      this->Table[static_cast<std::size_t>(this->Labels[i] - this->MinLabel)] =
         static_cast<Index>(i + 1);
     }
   }
@@ -152,11 +152,11 @@ Index LabelRanks::Find(std::int64_t value) const
 template <typename Scalar>
 void LabelRanks::ConvertValues(const Scalar* values, std::size_t count, Index* ranks) const
 {
-  // The conversion to int64 maps values beyond it to negative ones, which no label of an unsigned
-  // map equals.
-  const auto least = static_cast<std::uint64_t>(this->Least);
+  // The conversion to int64 maps larger values to negative ones, which equal no label of an
+  // unsigned map.
+  const auto least = static_cast<std::uint64_t>(this->MinLabel);
   const bool isUnsigned = !std::is_signed_v<Scalar>;
-  if (!this->Table.empty() && !(isUnsigned && this->Least < 0))
+  if (!this->Table.empty() && !(isUnsigned && this->MinLabel < 0))
   {
     for (std::size_t i = 0; i < count; ++i)
     {

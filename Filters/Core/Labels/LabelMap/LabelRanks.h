@@ -16,11 +16,11 @@
 
 namespace bonedecimate
 {
-/// Values that occur in the map, ascending.
+/// Values of the map, ascending.
 struct LabelValues
 {
   std::vector<std::int64_t> Values;
-  bool FitInt64 = true;   ///< Whether all of them do; those that do not are left out.
+  bool FitInt64 = true;   ///< Whether all do; others are left out.
   bool IsComplete = true; ///< False after an abort.
 };
 LabelValues FindLabelValues(const LabelImage& image, int threads, const Monitor& monitor);
@@ -41,8 +41,8 @@ private:
   Index Find(std::int64_t value) const;
 
   std::vector<std::int64_t> Labels;
-  std::int64_t Least = 0;
-  /// Rank of each value from the least label to the largest; empty if these are too far apart.
+  std::int64_t MinLabel = 0;
+  /// Rank of each value from the least label to the largest; empty if this range is too large.
   std::vector<Index> Table;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LabelRuns.h
- * @brief A label map as runs of equal labels along x, which neighbors they have, and which are
+ * @brief A label map as runs of equal labels along x, their neighbors, and which of them are
  * connected.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_LabelRuns_h
@@ -19,7 +19,7 @@ namespace bonedecimate
 struct LabelRun
 {
   Index Begin = 0; ///< Along x.
-  Index End = 0;   ///< The voxel behind the last one.
+  Index End = 0;   ///< One past the last voxel.
   Index Rank = 0;  ///< Rank of the label.
   std::size_t Row = 0;
 };
@@ -39,8 +39,8 @@ public:
     return static_cast<std::size_t>(run.End - run.Begin);
   }
 
-  /// In voxels as thick as the grid's spacing: their number where layers have no positions of their
-  /// own.
+  /// Volume of a run in voxels of the grid's spacing. The number of its voxels if layers have no
+  /// positions of their own.
   double Amount(const LabelRun& run) const
   {
     return static_cast<double>(Length(run)) *
@@ -54,8 +54,8 @@ public:
   template <typename Visit>
   void VisitFaces(const Visit& visit) const;
 
-  /// Joins runs of one rank that have a face in common, of all ranks but 0. @returns For each
-  /// run the first run of its piece.
+  /// Joins runs of one rank, except 0, that have a face in common.
+  /// @return For each run the first run of its piece.
   std::vector<std::size_t> JoinByFaces() const;
 
   /// Joins runs of rank 0 that have a face or an edge in common.

@@ -21,7 +21,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr Index LayersInAPart = 8;
+constexpr Index LayersPerPart = 8;
 constexpr std::int64_t MaxIndex = std::numeric_limits<Index>::max();
 constexpr Index MaxDimension = (1 << 30) - 2;     // twice a padded coordinate is an index
 constexpr double OrthogonalButForRounding = 1e-3; // as program and wheel
@@ -32,8 +32,8 @@ double DeviationFromOrthogonal(const Eigen::Matrix3d& matrix)
   return (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
 }
 
-/// Newton's iteration for the polar decomposition, of axes that are orthogonal but for rounding;
-/// others are those of a sheared grid.
+/// The nearest orthogonal axes, by Newton's iteration for the polar decomposition, if the axes are
+/// orthogonal up to rounding. Those of a sheared grid are kept.
 Eigen::Matrix3d NearestDirection(Eigen::Matrix3d matrix)
 {
   if (!(DeviationFromOrthogonal(matrix) <= OrthogonalButForRounding))
@@ -77,7 +77,7 @@ std::vector<std::int64_t> ChosenLabels(const LabelSurfaceOptions& options)
   return labels;
 }
 
-/// Monitors of the three phases: the values, the counts and the surface.
+/// The monitor of a phase: values, counts or surface.
 Monitor MonitorOf(const Monitor& monitor, double from, double to)
 {
   return monitor ? PartOf(monitor, from, to) : monitor;
@@ -89,11 +89,11 @@ public:
   Extraction(const LabelImage& image, const LabelSurfaceOptions& options, const Monitor& monitor)
     : Image(image)
     , Options(options)
-    , Report(monitor)
+    , Progress(monitor)
   {
   }
 
-  LabelSurfaces Go()
+  LabelSurfaces Run()
   {
     this->Result.Status = CheckGrid(this->Image.Grid, this->Options);
     if (this->IsGood())
@@ -131,7 +131,7 @@ private:
       LabelImage inMemory = this->Image;
       inMemory.Grid.Dimensions[2] = this->Layers().Count(); // its layers count alone
       LabelValues found =
-        FindLabelValues(inMemory, this->Options.Threads, MonitorOf(this->Report, 0.0, 0.1));
+        FindLabelValues(inMemory, this->Options.Threads, MonitorOf(this->Progress, 0.0, 0.1));
       this->Result.Status = !found.IsComplete ? LabelSurfaceStatus::Aborted
         : !found.FitInt64                     ? LabelSurfaceStatus::LabelOutOfRange
                                               : LabelSurfaceStatus::Good;
@@ -168,18 +168,18 @@ private:
   bool ForEachPartOf(const VoxelLayers& layers, const Monitor& monitor, const Work& work) const
   {
     const Index depth = layers.Depth();
-    const auto parts = static_cast<std::size_t>((depth + LayersInAPart - 1) / LayersInAPart);
+    const auto parts = static_cast<std::size_t>((depth + LayersPerPart - 1) / LayersPerPart);
     return ForEachPart(parts, this->Options.Threads, monitor,
       [&](std::size_t part)
       {
-        const Index first = static_cast<Index>(part) * LayersInAPart;
-        work(first, std::min(depth, first + LayersInAPart));
+        const Index first = static_cast<Index>(part) * LayersPerPart;
+        work(first, std::min(depth, first + LayersPerPart));
       });
   }
 
   bool Count(const VoxelLayers& layers, std::vector<LayerCounts>& counts) const
   {
-    return this->ForEachPartOf(layers, MonitorOf(this->Report, 0.1, 0.4),
+    return this->ForEachPartOf(layers, MonitorOf(this->Progress, 0.1, 0.4),
       [&](Index first, Index last)
       { LayerCounter(layers).Count(first, last, counts.data() + first); });
   }
@@ -229,14 +229,14 @@ private:
 
   bool Write(const VoxelLayers& layers, const std::vector<LayerStart>& starts)
   {
-    return this->ForEachPartOf(layers, MonitorOf(this->Report, 0.4, 1.0),
+    return this->ForEachPartOf(layers, MonitorOf(this->Progress, 0.4, 1.0),
       [&](Index first, Index last)
       { LayerWriter(layers, starts, this->Result).Write(first, last); });
   }
 
   const LabelImage& Image;
   const LabelSurfaceOptions& Options;
-  const Monitor& Report;
+  const Monitor& Progress;
   LabelSurfaces Result;
 };
 }
@@ -258,6 +258,6 @@ const char* LabelSurfaceMessage(LabelSurfaceStatus status)
 LabelSurfaces ExtractLabelSurfaces(
   const LabelImage& image, const LabelSurfaceOptions& options, const Monitor& monitor)
 {
-  return Extraction(image, options, monitor).Go();
+  return Extraction(image, options, monitor).Run();
 }
 }

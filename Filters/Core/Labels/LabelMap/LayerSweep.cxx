@@ -25,9 +25,9 @@ bool HasFaceZ(const CellLabels& l)
 }
 
 /**
- * From the center of a face with the labels a to d around it to the mean of the middles of its
- * edges with different ends. If one of the four edges has equal ends, that is a third of the way
- * away from it.
+ * From the center of a face to the mean of the midpoints of its edges with different ends. a to d
+ * are the labels around the face. If one edge has equal ends, the mean lies a sixth of the width
+ * from the center, away from this edge.
  */
 std::array<double, 2> OffsetOnFace(Index a, Index b, Index c, Index d)
 {
@@ -60,21 +60,21 @@ Vector3 OffsetOnFaceZ(const CellLabels& l)
 void CellSurfaces::Find(const CellLabels& labels)
 {
   const auto [least, largest] = std::minmax_element(labels.begin(), labels.end());
-  this->Least = *least;
-  this->Largest = *largest;
+  this->MinRank = *least;
+  this->MaxRank = *largest;
   unsigned int cellCase = 0;
   unsigned int smaller = 0;
   for (unsigned int corner = 0; corner < labels.size(); ++corner)
   {
-    cellCase |= (labels[corner] == this->Largest ? 1U : 0U) << corner;
-    smaller |= (labels[corner] == this->Least ? 1U : 0U) << corner;
+    cellCase |= (labels[corner] == this->MaxRank ? 1U : 0U) << corner;
+    smaller |= (labels[corner] == this->MinRank ? 1U : 0U) << corner;
   }
   this->HasTwoLabels = (cellCase | smaller) == 255U;
-  this->Surface = &this->Table[cellCase];
+  this->CurrentSurface = &this->Table[cellCase];
   if (!this->HasTwoLabels)
   {
-    BuildCellSurface(labels, this->Built);
-    this->Surface = &this->Built;
+    BuildCellSurface(labels, this->BuiltSurface);
+    this->CurrentSurface = &this->BuiltSurface;
   }
 }
 
@@ -108,8 +108,8 @@ LayerCounts LayerCounter::CountLayer(const RankLayer& lower, const RankLayer& up
       if (visit.HasCell && hasCells)
       {
         this->Cells.Find(l);
-        counts.Triangles += static_cast<std::int64_t>(this->Cells.Found().NumberOfTriangles());
-        counts.Inner += static_cast<std::int64_t>(this->Cells.Found().NumberOfInnerPoints());
+        counts.Triangles += static_cast<std::int64_t>(this->Cells.Surface().NumberOfTriangles());
+        counts.Inner += static_cast<std::int64_t>(this->Cells.Surface().NumberOfInnerPoints());
       }
     });
   return counts;
@@ -267,7 +267,7 @@ void LayerWriter::WriteCells(Index lower)
   for (const VoxelVisit& voxel : this->Visits)
   {
     this->Cells.Find(voxel.Labels);
-    const CellSurface& cell = this->Cells.Found();
+    const CellSurface& cell = this->Cells.Surface();
     for (const CellTriangle& each : cell)
     {
       this->WriteTriangle(triangle++, each, voxel.Voxel, inner);

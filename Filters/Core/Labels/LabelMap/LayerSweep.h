@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LayerSweep.h
- * @brief Counts and writes the surfaces of a label map layer by layer; knows two layers at a time.
+ * @brief Counts and writes the surfaces of a label map layer by layer, with two layers in memory.
  *
- * The points of a layer are, in this order, those in the layer itself, those on edges and faces
- * between it and the next layer, and those inside the cells between them; each in order of the
- * voxel at the least corner, x fastest. At one voxel the point of the edge along x is first, then
- * that of the edge along y and that of the face. Between layers these are the edge along z, the
- * face perpendicular to x and the face perpendicular to y. Triangles have the order of their cells.
+ * The points of a layer are, in this order, those in the layer, those on edges and faces between it
+ * and the next layer, and those inside the cells between them; each in order of the voxel at the
+ * least corner, x fastest. At one voxel the point of the edge along x is first, then those of the
+ * edge along y and of the face. Between layers these are the edge along z, the face perpendicular
+ * to x and the face perpendicular to y. Triangles have the order of their cells.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_LayerSweep_h
 #define BoneDecimate_Core_Labels_LabelMap_LayerSweep_h
@@ -22,7 +22,7 @@
 
 namespace bonedecimate
 {
-/// What belongs to one layer.
+/// The points and triangles of one layer.
 struct LayerCounts
 {
   std::int64_t InLayer = 0;   ///< Points in the layer.
@@ -42,25 +42,25 @@ struct LayerStart
   Index Triangle = 0;
 };
 
-/// The surface of a cell from the table for two labels, or built.
+/// Looks up or builds the surface of a cell.
 class CellSurfaces
 {
 public:
   void Find(const CellLabels& labels);
-  const CellSurface& Found() const { return *this->Surface; }
-  /// The rank of a label of the surface found.
+  const CellSurface& Surface() const { return *this->CurrentSurface; }
+  /// The rank of a label of this surface.
   Index RankOf(Index label) const
   {
-    return !this->HasTwoLabels ? label : label == 0 ? this->Least : this->Largest;
+    return !this->HasTwoLabels ? label : label == 0 ? this->MinRank : this->MaxRank;
   }
 
 private:
   const std::array<CellSurface, 256>& Table = TwoLabelSurfaces();
-  const CellSurface* Surface = nullptr;
-  CellSurface Built;
+  const CellSurface* CurrentSurface = nullptr;
+  CellSurface BuiltSurface;
   bool HasTwoLabels = true;
-  Index Least = 0;
-  Index Largest = 0;
+  Index MinRank = 0;
+  Index MaxRank = 0;
 };
 
 /// Counts consecutive layers.
@@ -95,7 +95,7 @@ public:
   void Write(Index first, Index last);
 
 private:
-  /// Ids are written, and read, at the voxels that have such a point.
+  /// Ids of points; valid at the voxels that have such a point.
   struct Layer
   {
     RankLayer Ranks;
@@ -123,8 +123,8 @@ private:
   Layer Lower;
   Layer Upper;
   IdsBetweenLayers Between;
-  LargeArray<VoxelVisit> Visits; ///< Those of cells of more than one label.
-  /// For each point of a cell that is not inside, the ids of these points by voxel.
+  LargeArray<VoxelVisit> Visits; ///< Cells of more than one label.
+  /// For each point on an edge or face of a cell, the array of its ids by voxel.
   std::array<const Index*, FirstInnerPoint> IdsOfCells = {};
   CellSurfaces Cells;
 };

@@ -15,9 +15,9 @@ constexpr double LongestSquared = 9.0;
 class LoopTriangulation
 {
 public:
-  LoopTriangulation(const CellLoop& loop, Diagonals best, CellSurface& surface)
+  LoopTriangulation(const CellLoop& loop, Diagonals diagonals, CellSurface& surface)
     : Loop(loop)
-    , Best(best)
+    , DiagonalRule(diagonals)
     , Surface(surface)
   {
   }
@@ -82,11 +82,11 @@ private:
       return InAFace;
     }
     const double squared = (this->Surface.Position(a) - this->Surface.Position(b)).squaredNorm();
-    return this->Best == Diagonals::Longest ? LongestSquared - squared : squared;
+    return this->DiagonalRule == Diagonals::Longest ? LongestSquared - squared : squared;
   }
 
   const CellLoop& Loop;
-  Diagonals Best;
+  Diagonals DiagonalRule;
   CellSurface& Surface;
   // Written before they are read; initialization would take half of the time.
   Table<double> Costs;
@@ -96,9 +96,9 @@ private:
 
 //------------------------------------------------------------------------------
 void TriangulateLoop(
-  const CellLoop& loop, Index from, Index to, Diagonals best, CellSurface& surface)
+  const CellLoop& loop, Index from, Index to, Diagonals diagonals, CellSurface& surface)
 {
-  LoopTriangulation triangulation(loop, best, surface);
+  LoopTriangulation triangulation(loop, diagonals, surface);
   triangulation.Solve();
   triangulation.AddTriangles(0, loop.Size() - 1, from, to);
 }

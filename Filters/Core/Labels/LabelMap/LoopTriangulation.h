@@ -18,7 +18,7 @@
 
 namespace bonedecimate
 {
-/// Points of a cell in turn around a polygon; at most the 12 edges and 6 faces have one.
+/// Points of a cell in order around a polygon: at most one for each of 12 edges and 6 faces.
 class CellLoop
 {
 public:
@@ -31,17 +31,17 @@ private:
   std::size_t Count = 0;
 };
 
-/// Which sum of squared lengths of the diagonals is best.
+/// The preferred sum of squared lengths of the diagonals.
 enum class Diagonals
 {
-  Longest, ///< Normals are nearer to the true ones by .2 to .3 degrees.
+  Longest, ///< Normals are more accurate by 0.2 to 0.3 degrees.
   Shortest ///< Polygons of one cell do not intersect.
 };
 
 /// Adds the triangles of the loop to the surface. The loop is counter-clockwise seen from the
 /// second label.
 void TriangulateLoop(
-  const CellLoop& loop, Index from, Index to, Diagonals best, CellSurface& surface);
+  const CellLoop& loop, Index from, Index to, Diagonals diagonals, CellSurface& surface);
 }
 
 #endif

@@ -21,7 +21,7 @@ Corner NextCorner(Corner corner)
   return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
-/// Corners at one vertex whose triangles are neighbors belong together.
+/// Fans of triangles: corners at one vertex whose triangles are neighbors belong together.
 class Fans
 {
 public:
@@ -40,7 +40,7 @@ private:
   {
     Index Low;
     Index High;
-    Corner First;
+    Corner StartCorner;
   };
 
   Index PointAt(Corner corner) const { return this->Triangles[corner / 3][corner % 3]; }
@@ -57,11 +57,11 @@ private:
     }
     std::sort(edges.begin(), edges.end(),
       [](const Edge& a, const Edge& b)
-      { return std::tie(a.Low, a.High, a.First) < std::tie(b.Low, b.High, b.First); });
+      { return std::tie(a.Low, a.High, a.StartCorner) < std::tie(b.Low, b.High, b.StartCorner); });
     return edges;
   }
 
-  /// Over edges of two triangles with opposite directions.
+  /// Joins corners across edges of two triangles with opposite directions.
   void JoinNeighbors()
   {
     const std::vector<Edge> edges = this->SortedEdges();
@@ -74,7 +74,7 @@ private:
       }
       if (last - first == 2)
       {
-        this->JoinOver(edges[first].First, edges[first + 1].First);
+        this->JoinOver(edges[first].StartCorner, edges[first + 1].StartCorner);
       }
     }
   }

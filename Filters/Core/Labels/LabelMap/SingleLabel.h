@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SingleLabel.h
- * @brief The surface of one label, from the surfaces of all labels.
+ * @brief The surface of one label, extracted from the surfaces of all labels.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_SingleLabel_h
 #define BoneDecimate_Core_Labels_LabelMap_SingleLabel_h
@@ -16,19 +16,18 @@ namespace bonedecimate
 {
 struct SingleLabelSurface
 {
-  /// The normals point out of the label. Vertices whose triangles are not one fan are split; no
-  /// edge has more than two triangles.
+  /// The normals point out of the label. A vertex whose triangles are not one fan is split; no edge
+  /// has more than two triangles.
   bonedecimate::Surface Surface;
-  std::vector<Index> OriginalPoint;    ///< The point of each one in the surface of all labels.
+  std::vector<Index> OriginalPoint;    ///< For each point, that of the surface of all labels.
   std::vector<Index> OriginalTriangle; ///< The same for triangles.
 };
 
 /**
  * The triangles between the label and any other one, in their order; points in order of their first
  * triangle.
- *
  * @param label Index into LabelMapSource::Values.
- * @param labels One for each triangle of the surface.
+ * @param labels One pair for each triangle of the surface.
  */
 SingleLabelSurface ExtractLabel(
   const Surface& surface, const std::vector<BoundaryLabels>& labels, Index label);

@@ -49,7 +49,8 @@ public:
   {
   }
 
-  /// @param y,z Voxel indices.  @param labels Background on input.
+  /// @param y,z Voxel indices.
+  /// @param labels Filled with background before.
   void Row(std::int64_t y, std::int64_t z, const VoxelBox& box, std::vector<Index>& labels) const
   {
     const std::array<Index, 3>& size = this->Image.Grid.Dimensions;
@@ -85,7 +86,7 @@ private:
   const std::vector<std::int64_t>& Values;
 };
 
-/// Adds up one slice.
+/// Counts the changes of one slice.
 class SliceSum
 {
 public:
@@ -96,7 +97,7 @@ public:
     this->Changes.OfLabel.resize(static_cast<std::size_t>(settings.NumberOfLabels));
   }
 
-  /// @param edge Outermost voxels at the ends of rows that are not compared.
+  /// @param edge Number of voxels at both ends of the row that are not compared.
   void AddRow(const std::vector<Index>& before, const std::vector<Index>& after, std::int64_t y,
     std::int64_t z, std::int64_t edge)
   {
@@ -160,8 +161,8 @@ struct Comparison
   bool IsOpen;
   const VoxelCheckSettings& Settings;
 
-  /// @param makeReference Gives a worker's functions begin(z) and row(y, z, labels); None: no
-  /// triangle is crossed.
+  /// @param makeReference Makes an object for one worker with Begin(z) and Row(y, z, labels), which
+  ///   sets None in rows that cross no triangle.
   template <typename MakeReference>
   VoxelChanges Run(const MakeReference& makeReference, const Monitor& monitor) const
   {
@@ -201,7 +202,8 @@ private:
     return sum.Changes;
   }
 
-  /// A row that crosses nothing has one label: the background, or, where a surface is open, any.
+  /// A row that crosses no triangle has one label: the background, or, at an open surface, that of
+  /// the other row.
   void FillUncrossed(std::vector<Index>& before, std::vector<Index>& after) const
   {
     const Index background = this->Settings.NumberOfLabels - 1;
@@ -271,7 +273,8 @@ VoxelChanges CompareVoxels(const LabeledSurface& reference, const LabeledSurface
   const VoxelBox both =
     result.Surface.Triangles.empty() ? before.Bounds() : Union(before.Bounds(), after.Bounds());
   const bool isOpen = HasBoundary(reference.Surface);
-  // An open surface ends at the outermost voxel centers, which rounding must not make inner ones.
+  // An open surface ends at the outermost voxel centers. Rounding must not turn these into inner
+  // ones.
   const bool endsAtImage = isOpen && settings.Grid.Dimensions[0] > 0;
   const VoxelBox box = endsAtImage ? Intersection(both, BoxOf(settings.Grid)) : both;
   const Comparison comparison = { after, box, isOpen, settings };

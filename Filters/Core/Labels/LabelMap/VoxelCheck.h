@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelCheck.h
- * @brief Counts the voxels whose label a surface changes: compared with the label map, or with
+ * @brief Counts the voxels whose label a surface changes, compared with the label map or with
  * another surface.
  *
- * The surface is voxelized (VoxelRows.h) with exact ties. Nothing here knows how the surface was
- * made; extraction, smoothing and VoxelGuard have no code in common with it. Open surfaces have no
- * inside at the ends of the grid: there, the outermost voxels are not compared.
+ * The surface is voxelized (VoxelRows.h) with exact ties. Extraction, smoothing and VoxelGuard have
+ * no code in common with this check. Open surfaces have no inside at the ends of the grid: there,
+ * the outermost voxels are not compared.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_VoxelCheck_h
 #define BoneDecimate_Core_Labels_LabelMap_VoxelCheck_h
@@ -39,10 +39,10 @@ struct VoxelChanges
   std::vector<LabelChanges> OfLabel; ///< By index of the label.
 };
 
-/// The voxels of the label map: those of the result compared with those of the input.
+/// Comparison of the voxels of the result with those of the input.
 struct VoxelReport
 {
-  bool WereGuarded = false; ///< Whether edits that change one were rejected.
+  bool WereGuarded = false; ///< Whether edits that change a voxel were rejected.
   bool WasChecked = false;  ///< If false, what follows is meaningless.
   VoxelChanges Changes;
   std::vector<std::int64_t> Values; ///< Labels by index; the background is the last.
@@ -55,15 +55,15 @@ struct VoxelCheckSettings
   int Threads = 0;          ///< 0: one per processor. Has no effect on the result.
 };
 
-/// Compares all voxels that one of the two surfaces touches.
+/// Compares all voxels that either surface touches.
 VoxelChanges CompareVoxels(const LabeledSurface& reference, const LabeledSurface& result,
   const VoxelCheckSettings& settings, const Monitor& monitor = {});
 
 /// Compares the voxels of the image, and those outside of it that the surface touches, which are
 /// background.
 /// @param image Its grid is used, not that of the settings.
-/// @param values The values of the labels by index, the background last; labels that are not listed
-/// count as background. Empty: all labels but 0 have index 0.
+/// @param values The values of the labels by index, the background last; other values count as
+///   background. Empty: all labels but 0 have index 0.
 VoxelChanges CompareVoxels(const LabelImage& image, const std::vector<std::int64_t>& values,
   const LabeledSurface& result, const VoxelCheckSettings& settings, const Monitor& monitor = {});
 }

@@ -14,7 +14,7 @@ namespace
 constexpr double RoundingOfAxes = 1e-6;
 constexpr double MinDeterminant = 1e-3; // of unit vectors that are not in one plane
 
-/// The step from a layer to the next, or the last one, linear beyond the ends.
+/// The step from a layer to the next one; beyond the ends the last one.
 struct LayerGap
 {
   std::int64_t Lower;
@@ -113,7 +113,7 @@ double VoxelGrid::LayerAt(double steps) const
 }
 
 //------------------------------------------------------------------------------
-/// From a guess to the layer, by the heights themselves: no rounding decides otherwise than
+/// Corrects a first guess by the heights of layers, so that no rounding differs from that of
 /// StepsOf().
 std::int64_t VoxelGrid::FirstLayerAtOrAbove(double steps) const
 {

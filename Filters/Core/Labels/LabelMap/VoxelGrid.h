@@ -5,7 +5,7 @@
  * @brief The grid of voxel centers of an image, and what is known of a surface that was extracted
  * from its labels.
  *
- * Positions are either in millimeters or in voxels: voxel centers have integer coordinates there.
+ * Positions are in mm or in voxels; in voxels, voxel centers have integer coordinates.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_VoxelGrid_h
 #define BoneDecimate_Core_Labels_LabelMap_VoxelGrid_h
@@ -21,15 +21,15 @@
 namespace bonedecimate
 {
 /**
- * From voxels to mm, with n = (i, j, k):
+ * From voxels n = (i, j, k) to mm:
  *
  *     mm(n) = Origin + Direction * (Spacing[0] i, Spacing[1] j, Spacing[2] s(k))
- *     s(k)  = k, or Layers[k] / Spacing[2] where layers have positions of their own; linear between
- *           two layers and beyond the ends
+ *     s(k)  = k, or Layers[k] / Spacing[2] if layers have positions of their own; linear between
+ *             two layers and beyond the ends
  *
- * (i, j, s) are the steps of a position. They are linear in mm, so triangles are flat there, which
- * they are not in voxels where the distance of layers changes: predicates and displacements work in
- * steps.
+ * (i, j, s) are the steps of a position. Predicates and displacements are computed in steps, which
+ * are linear in mm, so triangles are flat. In voxels they are not where the distance of layers
+ * changes.
  */
 struct VoxelGrid
 {
@@ -64,14 +64,14 @@ struct VoxelGrid
   }
   Vector3 ToSteps(const Vector3& millimeters) const
   {
-    // The transpose as ever: the same bits.
+    // The transpose, not an inverse, for the same bits in all versions.
     return this->IsOrthogonal()
       ? Vector3(
           (this->Direction.transpose() * (millimeters - this->Origin)).cwiseQuotient(this->Spacing))
       : this->ShearedSteps(millimeters);
   }
 
-  /// But for rounding; if not, the grid is sheared.
+  /// Whether the axes are orthogonal, up to rounding. Otherwise the grid is sheared.
   bool IsOrthogonal() const
   {
     constexpr double rounding = 1e-6;
@@ -81,19 +81,19 @@ struct VoxelGrid
     return std::abs(Dot(x, y)) <= rounding && std::abs(Dot(y, z)) <= rounding &&
       std::abs(Dot(z, x)) <= rounding;
   }
-  /// Its transpose where it is orthogonal.
+  /// The inverse of Direction; its transpose if it is orthogonal.
   Eigen::Matrix3d InverseDirection() const;
   /// Whether the numbers describe a grid: finite, distances positive, axes unit vectors that are
-  /// not in one plane, layers ascending and as many as there are.
+  /// not in one plane, and one ascending position for each layer, if any.
   bool IsValid() const;
-  /// Perpendicular to the layers, of length 1, to the side of the third axis.
+  /// The unit normal of the layers, on the side of the third axis.
   Vector3 LayerNormal() const;
 
   /// s(k), also between layers.
   double StepsOf(double layer) const;
   /// The layer at s(k), also between layers.
   double LayerAt(double steps) const;
-  /// The first layer whose center is at that height or above, and the last one at it or below.
+  /// The first layer whose center is at this height or above, and the last one at it or below.
   std::int64_t FirstLayerAtOrAbove(double steps) const;
   std::int64_t LastLayerAtOrBelow(double steps) const;
 
@@ -102,7 +102,8 @@ struct VoxelGrid
   {
     return this->Spacing[2] * (this->StepsOf(layer + 1.0) - this->StepsOf(layer));
   }
-  /// mm along the third axis: a voxel ends in the middle between its layer and the next.
+  /// mm along the third axis, of the voxels of these layers. A voxel ends in the middle between its
+  /// layer and the next.
   /// @param end The layer after the last one.
   double ThicknessOf(Index first, Index end) const
   {
@@ -112,8 +113,8 @@ struct VoxelGrid
   }
   /// The largest distance of neighboring voxels along each axis, mm.
   Vector3 MaxSpacing() const;
-  /// The volume of a parallelepiped of unit edges along the axes, and the area of that across an
-  /// axis: 1 where the grid is not sheared.
+  /// Volume of the parallelepiped with unit edges along the axes, and area of its face across an
+  /// axis; 1 unless the grid is sheared.
   double UnitVolume() const;
   double UnitArea(int axis) const;
 
@@ -126,16 +127,16 @@ private:
 };
 
 /**
- * Twice the voxel coordinates of the middle of a grid edge, of a cell's face or of a cell. The
- * number of odd coordinates tells which: 1, 2 or 3. A point keeps the labels of all voxels
- * while it stays in the octahedron
+ * Twice the voxel coordinates of the middle of a grid edge, of a cell's face or of a cell. They
+ * have 1, 2 or 3 odd coordinates. A point keeps the labels of all voxels while it stays in the
+ * octahedron
  *
  *     sum of |x - center| over the axes, in voxels  <  half the number of odd coordinates
  *
- * Proof: that of a cell contains no voxel center and is convex, and those of its edges and faces
- * lie in it; all are affine images of one of a cube. Of layers with positions of their own, a voxel
- * is as thick as the cell between them. A point in a layer belongs to cells above and below it: the
- * thinner one counts, so that its octahedron lies in those of both.
+ * Proof: the octahedron of a cell contains no voxel center and is convex, and those of its edges
+ * and faces lie in it; all are affine images of one of a cube. If layers have positions of their
+ * own, a voxel is as thick as the cell between them. A point in a layer belongs to cells above and
+ * below it: the thinner one counts, so that its octahedron lies in those of both.
  */
 using GridPoint = std::array<std::int32_t, 3>;
 
@@ -155,7 +156,7 @@ struct LabelMapSource
   /// are.
   std::vector<std::int64_t> Values;
   std::vector<BoundaryLabels> OfTriangle; ///< Empty: one label.
-  std::vector<GridPoint> OfPoint;         ///< Where each point was extracted. Empty: not known.
+  std::vector<GridPoint> OfPoint;         ///< For each point. Empty: not known.
 
   /// The index of the background.
   Index Background() const { return static_cast<Index>(this->Values.size()) - 1; }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelLayers.h
- * @brief Layers of a label map as ranks, and a loop over the voxels in two layers at which labels
+ * @brief Layers of a label map as ranks, and a loop over the voxels of two layers at which labels
  * differ.
  */
 #ifndef BoneDecimate_Core_Labels_LabelMap_VoxelLayers_h
@@ -21,12 +21,11 @@ namespace bonedecimate
 /// Ranks of one layer of voxels, x fastest.
 using RankLayer = LargeArray<Index>;
 
-/// The layers of a label map, with one more voxel of background on all sides if it is padded.
+/// The layers of a label map, padded by one voxel of background on all sides on request.
 class VoxelLayers
 {
 public:
-  /// @param inMemory The layers that the image holds. Those that are not at an end of the grid
-  /// get no background beyond them.
+  /// @param inMemory The layers that the image holds. Only at the ends of the grid are they padded.
   VoxelLayers(
     const LabelImage& image, const LayerRange& inMemory, const LabelRanks& ranks, bool isPadded);
 
@@ -53,19 +52,19 @@ private:
   std::array<Index, 3> Size;
 };
 
-/// A voxel and the labels of the cell of which it is the least corner; at the end of an axis,
-/// labels are repeated.
+/// A voxel and the labels of the cell whose least corner it is; at the end of an axis, labels are
+/// repeated.
 struct VoxelVisit
 {
-  std::size_t Voxel; ///< In its layer.
+  std::size_t Voxel; ///< Index in its layer.
   Index X;
   Index Y;
-  bool HasCell; ///< Not at the end of the x and y axes.
+  bool HasCell; ///< False at the ends of the x and y axes.
   CellLabels Labels;
 };
 
-/// Calls visit(const VoxelVisit&) in order of the voxels of the lower layer, for those with
-/// different labels.
+/// Calls visit(const VoxelVisit&) for the voxels with different labels, in order of the lower
+/// layer.
 template <typename Visit>
 class DifferentVoxels
 {
@@ -73,12 +72,12 @@ public:
   DifferentVoxels(const VoxelLayers& layers, const Visit& visit)
     : Width(static_cast<std::size_t>(layers.Width()))
     , Height(static_cast<std::size_t>(layers.Height()))
-    , Call(visit)
+    , VisitLabels(visit)
     , Differences(this->Width)
   {
   }
 
-  void Go(const RankLayer& lower, const RankLayer& upper)
+  void Run(const RankLayer& lower, const RankLayer& upper)
   {
     for (std::size_t y = 0; y < this->Height; ++y)
     {
@@ -104,7 +103,7 @@ private:
     }
   }
 
-  /// Not 0 where a label differs; without branches, so that it is vectorized.
+  /// Sets differences to nonzero where a label differs. Without branches, so that it is vectorized.
   void FindDifferences()
   {
     const auto [a, b, c, d] = this->Rows;
@@ -121,14 +120,14 @@ private:
   void VisitVoxel(std::size_t x, std::size_t right, std::size_t y)
   {
     const auto [a, b, c, d] = this->Rows;
-    this->Call(VoxelVisit{ y * this->Width + x, static_cast<Index>(x), static_cast<Index>(y),
+    this->VisitLabels(VoxelVisit{ y * this->Width + x, static_cast<Index>(x), static_cast<Index>(y),
       right != x && y + 1 < this->Height,
       { a[x], a[right], b[x], b[right], c[x], c[right], d[x], d[right] } });
   }
 
   std::size_t Width;
   std::size_t Height;
-  const Visit& Call;
+  const Visit& VisitLabels;
   std::array<const Index*, 4> Rows = {};
   LargeArray<Index> Differences;
 };
@@ -137,7 +136,7 @@ template <typename Visit>
 void VisitDifferentVoxels(
   const VoxelLayers& layers, const RankLayer& lower, const RankLayer& upper, const Visit& visit)
 {
-  DifferentVoxels<Visit>(layers, visit).Go(lower, upper);
+  DifferentVoxels<Visit>(layers, visit).Run(lower, upper);
 }
 }
 

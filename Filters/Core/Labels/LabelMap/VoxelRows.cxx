@@ -15,7 +15,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Voxels; beyond, a surface and its grid do not belong together.
+/// In voxels. A surface that is farther away does not belong to the grid.
 constexpr double Farthest = 1e6;
 
 std::int64_t FloorOf(double voxels)
@@ -43,7 +43,7 @@ int WindingOf(const Vector3& a, const Vector3& b, const Vector3& p)
 }
 
 /// The lowest voxel center along the first axis that is above the triangle or on it.
-/// @param sign The sign of the first coordinate of the normal.
+/// @param sign Sign of the first coordinate of the normal.
 std::int64_t FirstAbove(const std::array<Vector3, 3>& corners, Vector3 p, int sign)
 {
   const OrientedPlane plane(corners[0], corners[1], corners[2]);
@@ -80,12 +80,12 @@ std::vector<Index> NumbersOfPositions(const std::vector<Vector3>& points)
   return numbers;
 }
 
-/// The label before the first crossing of a row; None if all of them cancel. Crossings between the
-/// same two voxels have no order: the first ones that do not cancel lead out of that label.
+/// The label before the first crossing of a row; None if all crossings cancel. Those between the
+/// same two voxels have no order: the first ones that do not cancel lead out of this label.
 template <typename Crossing>
 Index FirstLabel(const std::vector<Crossing>& all, std::size_t first)
 {
-  std::map<Index, int> sums; // out of each label
+  std::map<Index, int> sums; // crossings out of each label minus into it
   for (std::size_t i = first; i < all.size() && all[i].Row == all[first].Row; ++i)
   {
     ++sums[all[i].Labels[0]];
@@ -177,7 +177,7 @@ VoxelRows::VoxelRows(
 }
 
 //------------------------------------------------------------------------------
-/// The first slice from Low that its plane may meet, and the one behind the last.
+/// The first slice, from Low, that the triangle may meet, and one past the last.
 std::array<std::int64_t, 2> VoxelRows::SlicesOf(const Triangle& c) const
 {
   const auto [least, largest] =

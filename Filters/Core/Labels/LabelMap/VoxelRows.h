@@ -7,9 +7,9 @@
  *
  *     points in steps of the grid
  *     for each slice:    the triangles that its plane may meet
- *         for each row:  the triangles that it crosses (the winding number of their
- *                        projection), exactly, and between which voxels along the row each
- *                        crossing replaces one label by the other
+ *         for each row:  the triangles that it crosses, exactly (winding number of their
+ *                        projections), and between which voxels of the row each crossing
+ *                        replaces one label by the other
  *
  * A row on an edge or through a point counts as displaced by (e, e^2) along the other axes, and a
  * voxel center on a triangle as above it, so that all triangles agree.
@@ -39,7 +39,7 @@ struct VoxelBox
   std::array<std::int64_t, 3> Count = { 0, 0, 0 };
 };
 
-/// A voxel that has no label, or more than one, because the surface intersects itself or is open.
+/// A voxel with no label or several, because the surface intersects itself or is open.
 constexpr Index Ambiguous = -2;
 
 class VoxelRows
@@ -58,9 +58,10 @@ public:
 
     /// @param z Index in the box.
     void Begin(std::int64_t z);
-    /// The labels along the row at y (index in the box): None if no triangle is crossed, or
-    /// the crossings cancel and isOpen.
-    /// @param isOpen Begins with the label before the first crossing, else with the background.
+    /// The labels along the row at y (index in the box). None if no triangle is crossed, or if the
+    /// crossings cancel and isOpen.
+    /// @param isOpen The row begins with the label before the first crossing, otherwise with the
+    ///   background.
     void Row(std::int64_t y, bool isOpen, std::vector<Index>& labels);
 
   private:
@@ -95,7 +96,7 @@ private:
   const std::vector<Triangle>& Triangles;
   const std::vector<BoundaryLabels>& Labels;
   Index Background;
-  bool IsMirrored; // voxel coordinates are left-handed, so normals point to the first label there
+  bool IsMirrored; // left-handed grid: in voxels, normals point to the first label
   VoxelGrid Grid;
   std::vector<Vector3> Points; // steps
   std::array<std::int64_t, 3> Low{};
@@ -104,7 +105,7 @@ private:
   std::vector<Index> InSlice;      // triangles
 };
 
-/// Whether an edge belongs to one triangle alone; points of equal coordinates are one.
+/// Whether an edge belongs to only one triangle. Points of equal coordinates are one.
 bool HasBoundary(const Surface& surface);
 }
 

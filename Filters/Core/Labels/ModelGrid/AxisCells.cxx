@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Rounding of the programs that copied the map, and of the search; layers.
+/// Rounding of this search and of the programs that copied the map; in layers.
 constexpr double Tolerance = 1e-6;
 /// Ways of rounding in the same direction for all even boundaries, and for all odd ones.
 constexpr double ConsistentTies = 4.0;
@@ -25,11 +25,11 @@ struct Line
   double Length;
 };
 
-/// Lines that explain the changes so far; the last of them by boundary Last.
+/// Lines that explain the changes so far, the last one by boundary number Last.
 struct Region
 {
   std::vector<Line> Corners;
-  double Last = 0.0;
+  double LastBoundary = 0.0;
 };
 
 /// The part of a polygon where excess(corner) <= 0; excess is linear.
@@ -61,13 +61,13 @@ std::vector<Line> Cut(const std::vector<Line>& corners, const Excess& excess)
 void ExplainChange(const Region& region, double layer, double tolerance, std::vector<Region>& parts)
 {
   double first = MaxCoordinate;
-  double last = region.Last;
+  double last = region.LastBoundary;
   for (const Line& corner : region.Corners)
   {
     first = std::min(first, (layer - 1.0 - tolerance - corner.Boundary) / corner.Length);
     last = std::max(last, (layer + tolerance - corner.Boundary) / corner.Length);
   }
-  first = std::max(region.Last + 1.0, std::ceil(first));
+  first = std::max(region.LastBoundary + 1.0, std::ceil(first));
   for (double boundary = first; boundary <= last && parts.size() < MaxRegions; boundary += 1.0)
   {
     const auto position = [boundary](const Line& line)
@@ -90,8 +90,8 @@ std::vector<Region> ExplainChanges(
 {
   const double first = changes.front() - 1.0 - tolerance;
   const double last = changes.front() + tolerance;
-  std::vector<Region> regions = { { { { first, lengths.Least }, { last, lengths.Least },
-                                      { last, lengths.Largest }, { first, lengths.Largest } },
+  std::vector<Region> regions = { { { { first, lengths.Min }, { last, lengths.Min },
+                                      { last, lengths.Max }, { first, lengths.Max } },
     0.0 } };
   for (std::size_t i = 1; i < changes.size() && !regions.empty(); ++i)
   {
@@ -106,9 +106,9 @@ std::vector<Region> ExplainChanges(
 }
 
 /**
- * In how many ways boundaries at centers of layers can be rounded that explain the changes; 0: the
- * line does not. Programs round all in one direction, or to even samples; where their
- * quotients are not exact, each in its own.
+ * The number of ways in which boundaries at centers of layers can be rounded; 0 if the line does
+ * not explain the changes. Programs round all in one direction or to even samples. Where their
+ * quotients are not exact, each boundary is rounded in its own direction.
  */
 double RoundingsOf(const Line& line, const std::vector<Index>& changes)
 {
@@ -134,8 +134,8 @@ double RoundingsOf(const Line& line, const std::vector<Index>& changes)
   return isConsistent ? ConsistentTies : std::max(roundings, ConsistentTies);
 }
 
-/// Layers before which there is a boundary. A boundary at the center of a layer is before or behind
-/// it, wherever labels change.
+/// Marks layers before which there is a boundary. A boundary at the center of a layer is before or
+/// behind it, wherever labels change.
 std::vector<bool> BoundaryPlanes(const Line& line, const std::vector<Index>& changes, Index layers)
 {
   std::vector<bool> isBoundary(static_cast<std::size_t>(layers), false);
@@ -162,9 +162,9 @@ std::vector<bool> BoundaryPlanes(const Line& line, const std::vector<Index>& cha
 }
 
 /**
- * At most: the number of sets of boundaries, with the first and the last change at its ends, times
- * the probability that all other changes lie on boundaries of one of them
- * (Documentation/explanation/model-grid.md).
+ * An upper bound: the number of sets of boundaries, with the first and the last change at its ends,
+ * times the probability that all other changes lie on boundaries of one of them
+ * (Documentation/model-grid.md).
  */
 double ChanceOf(
   const std::vector<Index>& changes, const std::vector<bool>& isBoundary, double roundings)
@@ -181,7 +181,7 @@ double ChanceOf(
   return std::min(1.0, chance);
 }
 
-/// The line with the least chance, the first of several that hardly differ in it.
+/// The line with the least chance; the first of several that hardly differ.
 class BestLine
 {
 public:
@@ -240,31 +240,33 @@ private:
 };
 
 /**
- * Cells as programs make them that copy a whole map of m samples to n layers, the coarsest first:
+ * Considers cells as programs make them that copy a whole map of m samples to n layers, the
+ * coarsest first:
+ *
  *     corners aligned        layer i has the sample nearest to i (m - 1) / (n - 1)
  *     centers aligned        layer i has the sample nearest to (i + 1/2) m / n - 1/2
- *     first center aligned   layer i has the sample nearest to i / Length, of a usual length
+ *     first center aligned   layer i has the sample nearest to i / Length, for usual lengths
  */
 void ConsiderUsualCells(Index layers, const CellLengths& lengths, BestLine& best)
 {
   const auto consider = [&](double first, const auto& lineOf)
   {
     double number = first;
-    for (Line line = lineOf(number); line.Length >= lengths.Least; line = lineOf(++number))
+    for (Line line = lineOf(number); line.Length >= lengths.Min; line = lineOf(++number))
     {
-      if (line.Length <= lengths.Largest + Tolerance)
+      if (line.Length <= lengths.Max + Tolerance)
       {
         best.Consider(line);
       }
     }
   };
-  const double samples = std::max(2.0, std::floor((layers - 1.0) / lengths.Largest));
+  const double samples = std::max(2.0, std::floor((layers - 1.0) / lengths.Max));
   const auto fromCenter = [](double length) { return Line{ length / 2.0, length }; };
   consider(samples, [&](double m) { return fromCenter((layers - 1.0) / (m - 1.0)); });
   consider(samples, [&](double m) { return Line{ layers / m - 0.5, layers / m }; });
   if (lengths.UsualStep > 0.0)
   {
-    const double most = std::floor(lengths.Largest / lengths.UsualStep);
+    const double most = std::floor(lengths.Max / lengths.UsualStep);
     consider(0.0, [&](double m) { return fromCenter((most - m) * lengths.UsualStep); });
   }
 }
@@ -287,7 +289,7 @@ double LongestOf(const Region& region)
     ->Length;
 }
 
-/// The middles of the coarsest regions.
+/// Considers the middles of the coarsest regions.
 void ConsiderRegions(std::vector<Region> regions, BestLine& best)
 {
   std::stable_sort(regions.begin(), regions.end(),
@@ -314,14 +316,14 @@ std::optional<AxisCells> FindAxisCells(
   {
     return std::nullopt;
   }
-  // Neighboring changes have different boundaries, and cells that are hardly longer than a layer
-  // would have one before each layer.
-  double longest = lengths.Largest > 0.0 ? lengths.Largest : layers;
+  // Neighboring changes have different boundaries, which limits the length. Cells hardly longer
+  // than a layer would have a boundary before each layer.
+  double longest = lengths.Max > 0.0 ? lengths.Max : layers;
   for (std::size_t i = 1; i < changes.size(); ++i)
   {
     longest = std::min(longest, changes[i] - changes[i - 1] + 1.0 + 2.0 * Tolerance);
   }
-  const double shortest = std::max(lengths.Least, 1.0 + 1.0 / layers);
+  const double shortest = std::max(lengths.Min, 1.0 + 1.0 / layers);
   if (longest < shortest)
   {
     return std::nullopt;

@@ -9,13 +9,14 @@
  *     t(k) = Boundary + k Length        Length > 1
  *
  * A change between the layers i - 1 and i is explained by a boundary in [i - 1, i]. Both ends are
- * allowed, so that any rule of rounding is: a layer whose center lies on a boundary belongs to
- * the cell on either side. Each boundary explains one change.
+ * allowed, so any rule of rounding is: a layer whose center lies on a boundary belongs to the cell
+ * on either side. Each boundary explains one change.
  *
  *     regions := all (Boundary, Length) that explain the first change
- *     for each further change: cut each region with the strip of each boundary that can explain it
- *     of the lines as programs make them and the middles of the coarsest regions, the one by which
- *     random changes would be explained with the least chance; that is one of the coarsest
+ *     for each further change: clip each region to the strip of each boundary that can explain it
+ *     candidates: lines as programs make them, and the middles of the coarsest regions
+ *     result: the candidate by which random changes would be explained with the least chance,
+ *       which is one of the coarsest
  *
  * Regions are convex polygons. Two boundaries that explain the same change make two regions, of
  * which the next changes leave few.
@@ -34,12 +35,12 @@ struct AxisCells
 {
   double Length = 1.0;      ///< Layers per cell.
   double FirstSample = 0.0; ///< Position of the center of cell 0, in layers.
-  /// Ascending from 0, without gaps.
+  /// The cell of each layer, ascending from 0 without gaps.
   std::vector<Index> OfLayer;
-  /// How likely as many changes at random layers would be explained by some cells.
+  /// Probability that as many changes at random layers would be explained by some cells.
   double Chance = 1.0;
 
-  /// If not, each layer is a cell.
+  /// Whether cells were found; otherwise each layer is a cell.
   bool IsFound() const { return this->Length > 1.0; }
   Index Count() const { return this->OfLayer.back() + 1; }
 };
@@ -49,15 +50,15 @@ AxisCells CellsOfLayers(Index layers);
 
 struct CellLengths
 {
-  double Least = 1.0;
-  double Largest = 0.0;   ///< 0: not limited.
+  double Min = 1.0;
+  double Max = 0.0;       ///< 0: not limited.
   double UsualStep = 0.0; ///< Models have whole multiples of this; 0: not known.
 };
 
 /**
  * @param changes Layers before which labels change, ascending, 1 to layers - 1.
  * @param layers Number of layers.
- * @returns Nothing if no cells explain all changes.
+ * @return Nothing if no cells explain all changes.
  */
 std::optional<AxisCells> FindAxisCells(
   const std::vector<Index>& changes, Index layers, const CellLengths& lengths);

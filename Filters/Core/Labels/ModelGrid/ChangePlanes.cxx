@@ -23,7 +23,7 @@ std::uint32_t CountDifferences(const Label* a, const Label* b, std::size_t count
   return different;
 }
 
-/// Changes inside of a layer, along x and y, and to the layer before.
+/// Changes within a layer, along x and y, and from the layer before.
 struct LayerCounts
 {
   Counts32 AlongX;

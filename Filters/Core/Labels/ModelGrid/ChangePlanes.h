@@ -15,8 +15,8 @@
 
 namespace bonedecimate
 {
-/// For each layer along an axis, the number of its voxels whose label is not that of their neighbor
-/// in the layer before; 0 for layer 0.
+/// For each layer along an axis, the number of its voxels whose label differs from that of their
+/// neighbor in the layer before; 0 for layer 0.
 using PlaneCounts = std::vector<std::int64_t>;
 
 std::array<PlaneCounts, 3> CountPlaneChanges(const LabelImage& image, int threads);

@@ -19,13 +19,14 @@ constexpr double MaxChanceOfAxis = 0.1; // of each that counts
 constexpr std::size_t MinChanges = 4;   // layers with changes along each axis
 constexpr double MinDensity = 0.5;      // ratio of these between the first and the last
 constexpr double MinOblique = 0.004;    // ratio of the points on boundaries, IsCurved()
-/// Ratio of the square root of these. The steps of an oblique plane are regular along one axis.
+/// The same as a ratio of the square root of these points. The steps of an oblique plane are
+/// regular along one axis.
 constexpr double MinObliqueOfRoot = 0.5;
 constexpr double MinObliqueOfOneAxis = 1.0;
 constexpr double MaxDifferent = 0.01; // ratio of voxels to changes
 constexpr double FewChanges = 4.0;    // of a layer
 constexpr double NoisyLayer = 0.05;   // of the median of the changes of a layer
-/// Programs change the spacing so that samples fit between the outermost layers.
+/// Tolerances of the spacing: programs change it so that samples fit between the outermost layers.
 constexpr std::array<double, 3> SpacingTolerances = { 0.001, 0.01, 0.05 };
 constexpr double UsualSpacing = 0.05; // mm; spacings of models are whole multiples
 
@@ -60,14 +61,14 @@ public:
   {
   }
 
-  ModelGrid Go()
+  ModelGrid Run()
   {
     ModelGrid found = this->Try(false);
     return found.IsFound ? found : this->Try(true);
   }
 
 private:
-  /// @param isNoisy Layers with few changes do not count.
+  /// @param isNoisy Whether layers with few changes are ignored.
   ModelGrid Try(bool isNoisy) const
   {
     ModelGrid model;
@@ -298,6 +299,6 @@ ModelGrid FindModelGrid(const LabelImage& image, const ModelGridRequest& request
   {
     return {};
   }
-  return Search(image, request).Go();
+  return Search(image, request).Run();
 }
 }

@@ -12,7 +12,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// At most three decimals, without zeros at the end.
+/// At most three decimals, without trailing zeros.
 std::string LengthText(double length)
 {
   const std::int64_t thousandths = std::llround(length * 1000.0);

@@ -17,9 +17,9 @@ namespace bonedecimate
 struct ModelGridChoice
 {
   std::optional<ModelGridRequest> Request; ///< Nothing: off.
-  std::string Problem;                     ///< What is wrong with the text; empty if it is valid.
+  std::string Problem;                     ///< Empty if the text is valid.
 
-  /// Whether it is an error if there is no such grid.
+  /// Whether a missing grid is an error.
   bool IsRequired() const { return this->Request && this->Request->Spacing; }
 };
 
@@ -29,11 +29,11 @@ ModelGridChoice ReadModelGridChoice(const std::string& text);
 /// "1.5 x 1.5 x 3", mm.
 std::string SpacingText(const VoxelGrid& grid);
 
-/// What is wrong if a requested grid was not found.
+/// The error if a requested grid was not found.
 inline constexpr const char* NoModelGridReason =
   "the label map is not a copy of one with the requested spacing";
 
-/// In one sentence.
+/// The grid found, in one sentence.
 std::string ModelGridSentence(const ModelGrid& found);
 }
 

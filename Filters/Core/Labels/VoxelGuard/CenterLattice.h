@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CenterLattice.h
- * @brief The coordinates of voxel centers as integers of 2^-30 step: every step, or, along
- * the third axis, where layers are.
+ * @brief The coordinates of voxel centers as integers of 2^-30 step: at every step, or, along the
+ * third axis, at positions of layers.
  *
- * A layer has an index, as without positions of its own. Positions are rounded to integers once,
- * so all predicates agree on them.
+ * Positions of layers are rounded to integers once, so all predicates agree on them. Layers have
+ * the same indices as without positions of their own.
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_CenterLattice_h
 #define BoneDecimate_Core_Labels_VoxelGuard_CenterLattice_h
@@ -20,13 +20,13 @@ namespace bonedecimate
 class CenterLattice
 {
 public:
-  CenterLattice() = default; ///< Every step.
+  CenterLattice() = default; ///< Centers at every step.
   explicit CenterLattice(const VoxelGrid& grid);
 
-  /// As seen in a mirror across the third axis.
+  /// The mirror image across the third axis.
   CenterLattice Mirrored() const;
 
-  /// The coordinate of the centers with that index along an axis.
+  /// The coordinate of the centers with this index along an axis.
   std::int64_t Coordinate(std::size_t axis, std::int64_t index) const
   {
     return this->IsEven(axis) ? index * UnitsOfVoxel : this->LayerCoordinate(index);
@@ -43,7 +43,7 @@ public:
     return this->IsEven(axis) ? CenterAtOrBelow(coordinate) : this->LayerAtOrBelow(coordinate);
   }
 
-  /// Planes of voxel centers across an axis.
+  /// Number of planes of voxel centers across an axis that meet the box.
   std::int64_t NumberOfPlanes(const FixedBox& box, std::size_t axis) const
   {
     return std::max<std::int64_t>(
@@ -62,7 +62,7 @@ private:
   std::int64_t LayerCoordinate(std::int64_t index) const;
   std::int64_t LayerAtOrBelow(std::int64_t coordinate) const;
 
-  // at least two, or none; beyond the ends the distance of the last two goes on
+  // Empty, or at least two. Beyond the ends, layers continue at the distance of the last two.
   std::vector<std::int64_t> Layers;
 };
 }

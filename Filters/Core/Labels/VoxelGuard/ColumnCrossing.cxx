@@ -72,7 +72,7 @@ public:
     this->RestMagnitude = this->Magnitude[1] * std::abs(s) + this->Magnitude[2] * std::abs(t);
   }
 
-  /// About where the column meets the plane.
+  /// Approximate height at which the column meets the plane.
   double Height() const
   {
     return static_cast<double>(this->Base) -
@@ -121,7 +121,7 @@ private:
   double RestMagnitude = 0.0;
 };
 
-/// About where the plane is, between the bounds.
+/// A guess of the highest center below the plane, within the bounds.
 std::int64_t GuessBelow(const TrianglePlane& plane, std::int64_t first, std::int64_t last,
   const CenterLattice& lattice, std::size_t axis)
 {

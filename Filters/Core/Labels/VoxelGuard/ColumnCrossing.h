@@ -4,7 +4,7 @@
  * @file ColumnCrossing.h
  * @brief Where a column of voxel centers crosses a triangle, exactly.
  *
- * Along axis r, with the others s = r + 1 and t = r + 2 in cyclic order, all voxel centers are
+ * Along axis r, with the other axes s = r + 1 and t = r + 2 in cyclic order, all voxel centers are
  * displaced by
  *
  *     (e^3, e, e^2) in (r, s, t)          0 < e, as small as needed
@@ -16,8 +16,8 @@
  *     side of an edge:  sign of ds (t - at) - dt (s - as); if 0, of -dt, then of ds
  *     height:           sign of n . (center - q0); if 0, of ns, nt, then of nr
  *
- * Coordinates of a triangle must not differ by more than 2^11 voxels:
- * products then have at most 127 bits.
+ * Coordinates of a triangle must not differ by more than 2^11 voxels: products then have at most
+ * 127 bits.
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_ColumnCrossing_h
 #define BoneDecimate_Core_Labels_VoxelGuard_ColumnCrossing_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FixedPoint.h
- * @brief Steps of a grid (VoxelGrid.h) as integers of 2^-30 step: voxel centers are exact, and sums
- * and differences are.
+ * @brief Steps of a grid (VoxelGrid.h) as integers of 2^-30 step, so that voxel centers, sums and
+ * differences are exact.
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_FixedPoint_h
 #define BoneDecimate_Core_Labels_VoxelGuard_FixedPoint_h
@@ -47,7 +47,7 @@ public:
   {
   }
 
-  /// Positions beyond 2^31 voxels are moved to that distance, between voxel centers.
+  /// Positions farther away than 2^31 voxels are moved to this distance, between voxel centers.
   FixedPoint Convert(const Vector3& position) const
   {
     constexpr double farthest =
@@ -68,7 +68,7 @@ private:
   Eigen::Matrix3d UnitsPerMillimeter = Eigen::Matrix3d::Identity();
 };
 
-/// The box of points.
+/// The bounding box of points.
 struct FixedBox
 {
   FixedPoint Low{};

@@ -11,8 +11,8 @@ namespace
 {
 using Plane = std::array<double, 2>; // steps
 
-/// The part of a segment from a to b, by its parameter, that is nearer to the origin than the
-/// margin; empty: first > second.
+/// The parameters between which a segment from a to b is nearer to the origin than the margin;
+/// first > second if there is no such part.
 std::pair<double, double> PartNear(const Plane& a, const Plane& b, double margin)
 {
   const Plane along = { b[0] - a[0], b[1] - a[1] };
@@ -40,7 +40,7 @@ struct HeightRange
   double High;
 };
 
-/// The edges along the axis between two indices across it.
+/// Adds the edges along the axis that meet the range.
 void AddEdges(const GridEdge& first, const HeightRange& range, const CenterLattice& lattice,
   std::vector<GridEdge>& edges)
 {

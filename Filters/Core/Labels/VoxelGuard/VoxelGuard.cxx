@@ -15,7 +15,7 @@ namespace
 /// Error bound from which edits are large, in voxels.
 constexpr double ErrorOfLargeEdits = 0.4;
 
-/// What the boundary edges between two vertices add up to for one label.
+/// Sum of the boundary edges between two vertices for one label.
 struct EdgeSum
 {
   Index From;
@@ -40,7 +40,7 @@ void AddEdge(std::vector<EdgeSum>& sums, Index from, Index to, Index label, int 
 }
 }
 
-/// Its memory stays from edit to edit.
+/// Keeps its memory from edit to edit.
 struct VoxelGuard::Pending : public EditFilter::Pending
 {
   explicit Pending(const CenterLattice& lattice)

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VoxelGuard.h
- * @brief Rejects edits that let a voxel center change sides: voxelized again, every voxel has the
- * label it had.
+ * @brief Rejects edits that move a voxel center to another side: voxelized again, every voxel has
+ * its original label.
  *
- *     Check(edit):   positions as they will be written, in voxels                   FixedPoint.h
+ *     Check(edit):   positions as they will be written, in voxels                 (FixedPoint.h)
  *                    no voxel center lies between the old and the new triangles
- *                    (VoxelPatch.h, exact)
- *                    none is nearer to a new triangle than the margin, nor an edge of the grid to
- *                    the rim of an open surface
+ *                                                                       (VoxelPatch.h, exact)
+ *                    none is nearer to a new triangle than the margin, nor an edge of the grid
+ *                      to the rim of an open surface
  *
  * The margin exceeds the rounding of programs that voxelize the result. Triangles that are never
  * changed may be nearer. Edits larger than MaxPatch (1024 voxels) are rejected. Only the edit
- * itself is read, so none is deferred, and nothing has to be committed.
+ * itself is read, so no edit is deferred and nothing has to be committed.
  */
 #ifndef BoneDecimate_Core_Labels_VoxelGuard_VoxelGuard_h
 #define BoneDecimate_Core_Labels_VoxelGuard_VoxelGuard_h
@@ -32,7 +32,7 @@ class VoxelPatch;
 struct VoxelGuardSettings
 {
   VoxelGrid Grid;
-  /// Labels of each face of the mesh, as it was built; empty: all have the same.
+  /// Labels of each face of the initial mesh; empty: all have the same.
   std::vector<BoundaryLabels> OfFace = {};
   PointRounding Rounding = {};      ///< Rounding of the written positions,
   Vector3 Origin = Vector3::Zero(); ///< mm, relative to this position.
@@ -49,8 +49,8 @@ public:
   Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
 
-  /// Whether checking before the error bound saves time: small edits rarely let a voxel center
-  /// change sides.
+  /// Whether a check before the error bound saves time. Not for small edits, which rarely move a
+  /// voxel center to another side.
   /// @param error mm, of the bound.
   static bool ChecksBeforeBound(const VoxelGrid& grid, double error);
 

@@ -26,9 +26,9 @@ public:
     this->IsEmpty = !lattice.HasCenter(box);
     for (std::size_t k = 0; k < 3; ++k)
     {
-      this->First[k] = lattice.AtOrAbove(k, box.Low[k]);
+      this->FirstIndices[k] = lattice.AtOrAbove(k, box.Low[k]);
       this->Planes[k] = lattice.NumberOfPlanes(box, k);
-      const std::int64_t first = lattice.Coordinate(k, this->First[k]);
+      const std::int64_t first = lattice.Coordinate(k, this->FirstIndices[k]);
       for (std::size_t i = 0; i < 3; ++i)
       {
         this->Corners[i][static_cast<Eigen::Index>(k)] =
@@ -78,8 +78,8 @@ private:
     const auto k = static_cast<std::size_t>(axis);
     return this->Lattice.IsEven(k)
       ? static_cast<double>(plane)
-      : static_cast<double>(this->Lattice.Coordinate(k, this->First[k] + plane) -
-          this->Lattice.Coordinate(k, this->First[k])) /
+      : static_cast<double>(this->Lattice.Coordinate(k, this->FirstIndices[k] + plane) -
+          this->Lattice.Coordinate(k, this->FirstIndices[k])) /
         UnitsOfVoxel;
   }
 
@@ -111,8 +111,8 @@ private:
   double Margin;
   const CenterLattice& Lattice;
   bool IsEmpty = false;
-  std::array<Vector3, 3> Corners;      // steps, from the first center near the triangle
-  std::array<std::int64_t, 3> First{}; // its index
+  std::array<Vector3, 3> Corners;             // steps, from the first center near the triangle
+  std::array<std::int64_t, 3> FirstIndices{}; // its index
   std::array<std::int64_t, 3> Planes{};
 };
 
@@ -210,8 +210,8 @@ bool VoxelPatch::KeepsLabels(bool isOpen)
 }
 
 //------------------------------------------------------------------------------
-/// The displacement of voxel centers is not its own mirror image, nor are layers with positions of
-/// their own.
+/// Needed because neither the displacement of voxel centers nor layers with positions of their own
+/// are symmetric.
 void VoxelPatch::Mirror(std::size_t axis)
 {
   this->IsMirrored = this->IsMirrored != (axis == 2);
@@ -226,7 +226,7 @@ void VoxelPatch::Mirror(std::size_t axis)
 }
 
 //------------------------------------------------------------------------------
-/// From the middle, where edits that are rejected are most often wrong.
+/// Begins in the middle, where rejected edits are most often wrong.
 bool VoxelPatch::KeepsAlong(std::size_t axis, const FixedBox& box)
 {
   const std::size_t s = (axis + 1) % 3;
@@ -256,7 +256,7 @@ bool VoxelPatch::KeepsColumn(const Column& column)
     const ColumnCrossing crossing = CrossColumn(face.Corners, face.Box, column, this->Centers());
     if (crossing.Sign != 0)
     {
-      const int count = face.Count * crossing.Sign;
+      const int count = face.Sign * crossing.Sign;
       this->AddCrossing(crossing.Below, face.Labels[0], count);
       if (this->HasSeveralLabels)
       {
@@ -288,7 +288,7 @@ bool VoxelPatch::IsNearCenter(double margin) const
 {
   return std::any_of(this->Faces.begin(), this->Faces.end(),
     [this, margin](const Face& face)
-    { return face.Count < 0 && CentersNear(face.Corners, face.Box, margin, this->Lattice).Any(); });
+    { return face.Sign < 0 && CentersNear(face.Corners, face.Box, margin, this->Lattice).Any(); });
 }
 
 //------------------------------------------------------------------------------

@@ -4,12 +4,12 @@
  * @file VoxelPatch.h
  * @brief Two patches of triangles with the same rim: whether a voxel center lies between them.
  *
- * The old patch and the reversed new one are a closed surface. Along one axis, on every edge
+ * The old patch and the reversed new one form a closed surface. Along one axis, on every edge
  * between two voxel centers, the signed crossings of the old triangles must equal those of the new
- * ones; then no winding number differs. With several labels this holds label by label: a triangle
+ * ones; then no winding number differs. With several labels this holds for each label: a triangle
  * counts +1 for the first of its labels and -1 for the second.
  *
- * If the rim differs, the surface is open there. Then all three axes are checked, with the
+ * If the rims differ, the surface is open there. Then all three axes are checked, with the
  * displacements of ColumnCrossing.h into all octants, since a boundary may lie in a plane of voxel
  * centers. The new rim must not come near an edge between voxel centers that the old one is not
  * near (RimLines.h).
@@ -41,11 +41,11 @@ public:
   void AddOldRim(const FixedPoint& from, const FixedPoint& to, double margin);
   void AddNewRim(const FixedPoint& from, const FixedPoint& to, double margin);
 
-  /// Whether every voxel center keeps its labels. False, too, if the patches are larger than
+  /// Whether every voxel center keeps its labels. Also false if the patches are larger than
   /// MaxPatch.
   bool KeepsLabels(bool isOpen);
 
-  /// Whether a new triangle is nearer to a voxel center than that.
+  /// Whether a new triangle is nearer to a voxel center than the margin.
   /// @param margin Voxels, less than 0.1.
   bool IsNearCenter(double margin) const;
 
@@ -59,9 +59,9 @@ private:
     FixedTriangle Corners;
     FixedBox Box;
     BoundaryLabels Labels;
-    int Count; ///< 1: old, -1: new.
+    int Sign; ///< 1: old, -1: new.
   };
-  /// What the triangles above a voxel center add up to.
+  /// Sum of the crossings of a label above a voxel center.
   struct Sum
   {
     std::int64_t Below;
