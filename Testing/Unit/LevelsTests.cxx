@@ -38,9 +38,9 @@ public:
       const LoggedCollapse& next = this->Log.Collapses[static_cast<std::size_t>(this->Done)];
       Edit edit;
       edit.Edge = next.HalfEdge;
-      edit.Keep = next.Kept;
+      edit.Keep = next.KeptVertex;
       edit.Position = next.Position;
-      edit.KeepStays = next.Position == this->MeshEditor.Mesh().Position(next.Kept);
+      edit.KeepStays = next.Position == this->MeshEditor.Mesh().Position(next.KeptVertex);
       rejected += TryAlone(this->MeshEditor, edit).IsAccepted() ? 0 : 1;
     }
     return rejected;

@@ -206,7 +206,7 @@ TEST(LogBytes, RejectsEditsThatNoRunCanHaveMade)
   EXPECT_EQ(
     statusWith([](EditLog& log) { log.Collapses[1] = log.Collapses[0]; }), LogStatus::Contradictory)
     << "a face that is gone";
-  EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].Kept = log.Vertices; }),
+  EXPECT_EQ(statusWith([](EditLog& log) { log.Collapses[3].KeptVertex = log.Vertices; }),
     LogStatus::Contradictory);
   EXPECT_EQ(
     statusWith([](EditLog& log) { log.Collapses[3].HalfEdge |= 3; }), LogStatus::Contradictory)

@@ -10,8 +10,8 @@ namespace
 {
 using Corners = std::array<Vector3, 3>;
 
-/// Orthonormal and right-handed: along the first edge, in the plane, along the normal. Zero without
-/// area.
+/// An orthonormal right-handed frame: along the first edge, in the plane, along the normal. Zero
+/// without area.
 Eigen::Matrix3d FrameOf(const Corners& c)
 {
   const Vector3 normal = AreaVector(c[0], c[1], c[2]).normalized();

@@ -5,8 +5,8 @@
  * @brief Transfers a point near a triangle of one surface to the same triangle of another one.
  *
  *     the nearest point of the triangle keeps its barycentric coordinates
- *     the vector from there to the point rotates with the triangle and scales
- *       with the square root of its area
+ *     the vector from there to the point rotates with the triangle and scales with the
+ *       square root of its area
  *
  * Exact for translation, rotation and uniform scaling of the surface.
  */

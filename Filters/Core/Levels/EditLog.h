@@ -24,14 +24,14 @@ namespace bonedecimate
 {
 struct LoggedCollapse
 {
-  Vector3 Position;       ///< Position of the merged vertex, mm.
-  Index HalfEdge = None;  ///< The collapsed edge, in a removed face; see HalfEdgeMesh.h.
-  Index OtherFace = None; ///< The other removed face; None on a boundary.
-  Index Kept = None;      ///< The end that is kept.
-  float Rank = 0.0F;      ///< Only while recording: the cost, in the unit of its loop.
+  Vector3 Position;        ///< Position of the merged vertex, mm.
+  Index HalfEdge = None;   ///< The collapsed edge, in a removed face; see HalfEdgeMesh.h.
+  Index OtherFace = None;  ///< The other removed face; None on a boundary.
+  Index KeptVertex = None; ///< The end that is kept.
+  float Rank = 0.0F;       ///< Only while recording: the cost, in the unit of its loop.
 };
 
-/// The state of the changed faces and vertices after flips and moves.
+/// The changed faces and vertices after flips and moves.
 struct LoggedPatch
 {
   struct Face

@@ -15,21 +15,21 @@ namespace bonedecimate
 class LevelStack::Builder
 {
 public:
-  Builder(const std::vector<Triangle>& triangles, const EditLog& log, LevelStack& made)
+  Builder(const std::vector<Triangle>& triangles, const EditLog& log, LevelStack& stack)
     : Log(log)
-    , Made(made)
-    , Current(static_cast<std::size_t>(log.Vertices))
-    , Left(static_cast<Index>(triangles.size()))
+    , Stack(stack)
+    , MergedInto(static_cast<std::size_t>(log.Vertices))
+    , FacesNow(static_cast<Index>(triangles.size()))
   {
-    made.Corners = triangles;
-    made.FaceEnds.assign(triangles.size(), Never);
-    made.LastChange.assign(triangles.size(), None);
-    made.Lives.assign(this->Current.size(), Life());
-    made.Placings.reserve(log.Collapses.size());
-    made.FacesLeft.reserve(log.Collapses.size() + 1);
-    for (std::size_t v = 0; v < this->Current.size(); ++v)
+    stack.Corners = triangles;
+    stack.FaceEnds.assign(triangles.size(), Never);
+    stack.LastChange.assign(triangles.size(), None);
+    stack.VertexLives.assign(this->MergedInto.size(), VertexLife());
+    stack.TimedPositions.reserve(log.Collapses.size());
+    stack.FacesLeft.reserve(log.Collapses.size() + 1);
+    for (std::size_t v = 0; v < this->MergedInto.size(); ++v)
     {
-      this->Current[v] = static_cast<Index>(v);
+      this->MergedInto[v] = static_cast<Index>(v);
     }
   }
 
@@ -38,63 +38,64 @@ public:
     auto patch = this->Log.Patches.begin();
     const auto patchesOf = [&](Index time)
     {
-      bool good = true;
-      for (; good && patch != this->Log.Patches.end() && patch->Collapses == time; ++patch)
+      bool isGood = true;
+      for (; isGood && patch != this->Log.Patches.end() && patch->Collapses == time; ++patch)
       {
-        good = this->Apply(*patch, time);
+        isGood = this->Apply(*patch, time);
       }
-      return good;
+      return isGood;
     };
-    bool good = patchesOf(0);
-    this->Made.FacesLeft.push_back(this->Left);
+    bool isGood = patchesOf(0);
+    this->Stack.FacesLeft.push_back(this->FacesNow);
     Index time = 0;
     for (const LoggedCollapse& collapse : this->Log.Collapses)
     {
       ++time;
-      good = good && this->Apply(collapse, time) && patchesOf(time);
-      this->Made.FacesLeft.push_back(this->Left);
+      isGood = isGood && this->Apply(collapse, time) && patchesOf(time);
+      this->Stack.FacesLeft.push_back(this->FacesNow);
     }
-    return good && patch == this->Log.Patches.end();
+    return isGood && patch == this->Log.Patches.end();
   }
 
   /// Sorts the positions by vertex.
-  void SortPlacings()
+  void SortPositions()
   {
-    std::vector<Index>& first = this->Made.FirstPlacing;
-    first.assign(this->Current.size() + 1, 0);
-    for (const Placing& placing : this->Made.Placings)
+    std::vector<Index>& first = this->Stack.FirstPositions;
+    first.assign(this->MergedInto.size() + 1, 0);
+    for (const TimedPosition& position : this->Stack.TimedPositions)
     {
-      ++first[static_cast<std::size_t>(placing.Vertex) + 1];
+      ++first[static_cast<std::size_t>(position.Vertex) + 1];
     }
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<Index> next(first.begin(), first.end() - 1);
-    std::vector<Placing> sorted(this->Made.Placings.size());
-    for (const Placing& placing : this->Made.Placings)
+    std::vector<TimedPosition> sorted(this->Stack.TimedPositions.size());
+    for (const TimedPosition& position : this->Stack.TimedPositions)
     {
-      sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(placing.Vertex)]++)] = placing;
+      sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(position.Vertex)]++)] =
+        position;
     }
-    this->Made.Placings = std::move(sorted);
+    this->Stack.TimedPositions = std::move(sorted);
   }
 
 private:
   bool IsLiveFace(Index face) const
   {
-    return face >= 0 && face < static_cast<Index>(this->Made.FaceEnds.size()) &&
-      this->Made.FaceEnds[static_cast<std::size_t>(face)] == Never;
+    return face >= 0 && face < static_cast<Index>(this->Stack.FaceEnds.size()) &&
+      this->Stack.FaceEnds[static_cast<std::size_t>(face)] == Never;
   }
   bool IsLiveVertex(Index v) const
   {
-    return v >= 0 && v < static_cast<Index>(this->Current.size()) &&
-      this->Made.Lives[static_cast<std::size_t>(v)].End == Never;
+    return v >= 0 && v < static_cast<Index>(this->MergedInto.size()) &&
+      this->Stack.VertexLives[static_cast<std::size_t>(v)].End == Never;
   }
 
   /// The vertex into which the vertex was merged, with path halving.
   Index Now(Index v)
   {
-    while (this->Current[static_cast<std::size_t>(v)] != v)
+    while (this->MergedInto[static_cast<std::size_t>(v)] != v)
     {
-      Index& next = this->Current[static_cast<std::size_t>(v)];
-      next = this->Current[static_cast<std::size_t>(next)];
+      Index& next = this->MergedInto[static_cast<std::size_t>(v)];
+      next = this->MergedInto[static_cast<std::size_t>(next)];
       v = next;
     }
     return v;
@@ -102,10 +103,10 @@ private:
 
   Triangle CornersNow(Index face)
   {
-    const Index change = this->Made.LastChange[static_cast<std::size_t>(face)];
+    const Index change = this->Stack.LastChange[static_cast<std::size_t>(face)];
     const Triangle& c = change == None
-      ? this->Made.Corners[static_cast<std::size_t>(face)]
-      : this->Made.Changes[static_cast<std::size_t>(change)].Corners;
+      ? this->Stack.Corners[static_cast<std::size_t>(face)]
+      : this->Stack.Changes[static_cast<std::size_t>(change)].Corners;
     return { this->Now(c[0]), this->Now(c[1]), this->Now(c[2]) };
   }
 
@@ -120,17 +121,17 @@ private:
     const Triangle corners = this->CornersNow(face);
     const Index start = corners[corner];
     const Index end = corners[(corner + 1) % 3];
-    const Index gone = collapse.Kept == start ? end : start;
-    if (start == end || (collapse.Kept != start && collapse.Kept != end) ||
+    const Index gone = collapse.KeptVertex == start ? end : start;
+    if (start == end || (collapse.KeptVertex != start && collapse.KeptVertex != end) ||
       !IsUsable(collapse.Position) || !this->Remove(collapse.OtherFace, face, { start, end }, time))
     {
       return false;
     }
-    this->Made.FaceEnds[static_cast<std::size_t>(face)] = time;
-    --this->Left;
-    this->Made.Lives[static_cast<std::size_t>(gone)] = { time, collapse.Kept };
-    this->Current[static_cast<std::size_t>(gone)] = collapse.Kept;
-    this->SetPosition(collapse.Kept, collapse.Position, time);
+    this->Stack.FaceEnds[static_cast<std::size_t>(face)] = time;
+    --this->FacesNow;
+    this->Stack.VertexLives[static_cast<std::size_t>(gone)] = { time, collapse.KeptVertex };
+    this->MergedInto[static_cast<std::size_t>(gone)] = collapse.KeptVertex;
+    this->SetPosition(collapse.KeptVertex, collapse.Position, time);
     return true;
   }
 
@@ -146,8 +147,8 @@ private:
       return false;
     }
     const Triangle across = this->CornersNow(other);
-    this->Made.FaceEnds[static_cast<std::size_t>(other)] = time;
-    --this->Left;
+    this->Stack.FaceEnds[static_cast<std::size_t>(other)] = time;
+    --this->FacesNow;
     return std::all_of(edge.begin(), edge.end(),
       [&](Index v) { return std::find(across.begin(), across.end(), v) != across.end(); });
   }
@@ -163,9 +164,9 @@ private:
       {
         return false;
       }
-      Index& last = this->Made.LastChange[static_cast<std::size_t>(face.Id)];
-      this->Made.Changes.push_back({ c, time, last });
-      last = static_cast<Index>(this->Made.Changes.size()) - 1;
+      Index& last = this->Stack.LastChange[static_cast<std::size_t>(face.Id)];
+      this->Stack.Changes.push_back({ c, time, last });
+      last = static_cast<Index>(this->Stack.Changes.size()) - 1;
     }
     for (const LoggedPatch::Vertex& vertex : patch.Vertices)
     {
@@ -180,13 +181,13 @@ private:
 
   void SetPosition(Index vertex, const Vector3& position, Index time)
   {
-    this->Made.Placings.push_back({ position, time, vertex });
+    this->Stack.TimedPositions.push_back({ position, time, vertex });
   }
 
   const EditLog& Log;
-  LevelStack& Made;
-  std::vector<Index> Current; // for each vertex: itself or a vertex into which it was merged
-  Index Left;                 // faces
+  LevelStack& Stack;
+  std::vector<Index> MergedInto; // of each vertex: itself or a vertex into which it was merged
+  Index FacesNow;                // faces
 };
 
 std::optional<LevelStack> LevelStack::Build(
@@ -204,7 +205,7 @@ std::optional<LevelStack> LevelStack::Build(
     {
       return {};
     }
-    builder.SortPlacings();
+    builder.SortPositions();
   }
   return stack;
 }
@@ -238,7 +239,7 @@ Triangle LevelStack::CornersAt(Index face, Index time) const
   Index change = this->LastChange[static_cast<std::size_t>(face)];
   while (change != None && this->Changes[static_cast<std::size_t>(change)].Time > time)
   {
-    change = this->Changes[static_cast<std::size_t>(change)].Before;
+    change = this->Changes[static_cast<std::size_t>(change)].Previous;
   }
   const Triangle& c = change == None ? this->Corners[static_cast<std::size_t>(face)]
                                      : this->Changes[static_cast<std::size_t>(change)].Corners;
@@ -249,8 +250,8 @@ Triangle LevelStack::CornersAt(Index face, Index time) const
 const Vector3* LevelStack::PositionAt(Index vertex, Index time) const
 {
   const auto v = static_cast<std::size_t>(vertex);
-  const Placing* first = this->Placings.data() + this->FirstPlacing[v];
-  const Placing* last = this->Placings.data() + this->FirstPlacing[v + 1];
+  const TimedPosition* first = this->TimedPositions.data() + this->FirstPositions[v];
+  const TimedPosition* last = this->TimedPositions.data() + this->FirstPositions[v + 1];
   while (last != first && (last - 1)->Time > time)
   {
     --last;
@@ -270,7 +271,7 @@ Level LevelStack::At(Index collapses, int threads, const std::vector<Vector3>& p
     this->FaceEnds.size(), threads,
     [&](std::size_t face) { return this->FaceEnds[face] > collapses; },
     [&](std::size_t face) { return joined(this->CornersAt(static_cast<Index>(face), collapses)); });
-  level.Vertices = NumberVertices(this->Lives.size(), level.Surface.Triangles, threads);
+  level.Vertices = NumberVertices(this->VertexLives.size(), level.Surface.Triangles, threads);
   level.Surface.Points.resize(level.Vertices.size());
   ForEachId(level.Vertices.size(), threads,
     [&](std::size_t p)

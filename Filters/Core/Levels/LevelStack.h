@@ -5,14 +5,14 @@
  * @brief All levels of a recorded run in arrays from which each can be extracted without replaying
  * its edits.
  *
- *     each face     time of its removal; a linked list of the changes of its
- *                   corners by flips, latest first
- *     each vertex   time of its removal and the vertex into which it was
- *                   merged; all its positions with times
+ *     each face     time of its removal; a linked list of the changes of its corners by flips,
+ *                   latest first
+ *     each vertex   time of its removal and the vertex into which it was merged; all its
+ *                   positions with times
  *
  *     level t:  the faces removed later, in their order
- *               corners: after the last change up to t, each replaced by the vertex
- *                 into which it was merged up to t
+ *               corners: after the last change up to t, each replaced by the vertex into which
+ *                 it was merged up to t
  *               points:  the last position up to t
  *
  * Time counts collapses: collapse 0 happens at time 1, a patch at the number of collapses before
@@ -54,23 +54,23 @@ public:
   }
   /// The first level with at most that many triangles; the last level if there is none.
   Index LevelOf(Index triangles) const;
-  /// The triangle of the cleaned input of which each triangle of At() is what is left.
+  /// For each triangle of At(), the triangle of the cleaned input that it was.
   std::vector<Index> FacesAt(Index collapses) const;
 
-  /// @param points The points of the cleaned input's vertices, mm, in the frame of the input, used
-  /// for vertices that were never moved.
-  /// @param originals The original vertex of each vertex, see ManifoldPatches.h; empty: nothing was
-  /// split.
+  /// @param points Positions of the cleaned input's vertices, mm, in the frame of the input; used
+  ///   for vertices that never moved.
+  /// @param originals The original vertex of each vertex (ManifoldPatches.h); empty: nothing was
+  ///   split.
   Level At(Index collapses, int threads, const std::vector<Vector3>& points,
     const std::vector<Index>& originals) const;
 
 private:
-  struct Life
+  struct VertexLife
   {
-    Index End = Never; // time
-    Index Into = None; // a vertex
+    Index End = Never;       // time
+    Index MergedInto = None; // a vertex
   };
-  struct Placing
+  struct TimedPosition
   {
     Vector3 Position; // mm
     Index Time;
@@ -80,31 +80,31 @@ private:
   {
     Triangle Corners;
     Index Time;
-    Index Before;
+    Index Previous;
   };
   static constexpr Index Never = std::numeric_limits<Index>::max();
   class Builder;
 
   Index VertexAt(Index vertex, Index time) const
   {
-    while (this->Lives[vertex].End <= time)
+    while (this->VertexLives[vertex].End <= time)
     {
-      vertex = this->Lives[vertex].Into;
+      vertex = this->VertexLives[vertex].MergedInto;
     }
     return vertex;
   }
   Triangle CornersAt(Index face, Index time) const;
-  /// The last position that an edit set up to that time; null: none.
+  /// The last position that an edit set up to this time; null: none.
   const Vector3* PositionAt(Index vertex, Index time) const;
 
   std::vector<Triangle> Corners; // of each face in the input
   std::vector<Index> FaceEnds;   // time
   std::vector<Index> LastChange; // of each face
   std::vector<Change> Changes;
-  LargeArray<Life> Lives;
-  std::vector<Placing> Placings;   // sorted by vertex, then by time
-  std::vector<Index> FirstPlacing; // for each vertex, and finally their number
-  std::vector<Index> FacesLeft;    // at each time
+  LargeArray<VertexLife> VertexLives;
+  std::vector<TimedPosition> TimedPositions; // sorted by vertex, then by time
+  std::vector<Index> FirstPositions;         // for each vertex, and finally their number
+  std::vector<Index> FacesLeft;              // at each time
 };
 }
 

@@ -83,8 +83,8 @@ class Reader
 {
 public:
   Reader(const unsigned char* bytes, std::size_t size)
-    : At(bytes)
-    , Left(size)
+    : Position(bytes)
+    , BytesLeft(size)
   {
   }
 
@@ -92,18 +92,18 @@ public:
   Unsigned GetBits()
   {
     Unsigned value = 0;
-    if (this->Left < sizeof(value))
+    if (this->BytesLeft < sizeof(value))
     {
       this->Good = false;
-      this->Left = 0;
+      this->BytesLeft = 0;
       return value;
     }
     for (std::size_t k = 0; k < sizeof(value); ++k)
     {
-      value |= static_cast<Unsigned>(static_cast<Unsigned>(this->At[k]) << (8 * k));
+      value |= static_cast<Unsigned>(static_cast<Unsigned>(this->Position[k]) << (8 * k));
     }
-    this->At += sizeof(value);
-    this->Left -= sizeof(value);
+    this->Position += sizeof(value);
+    this->BytesLeft -= sizeof(value);
     return value;
   }
   Index GetIndex() { return static_cast<Index>(this->GetBits<std::uint32_t>()); }
@@ -123,16 +123,16 @@ public:
   void Resize(std::vector<T>& list, Index count, std::size_t bytesOfEach)
   {
     this->Good =
-      this->Good && count >= 0 && static_cast<std::size_t>(count) <= this->Left / bytesOfEach;
+      this->Good && count >= 0 && static_cast<std::size_t>(count) <= this->BytesLeft / bytesOfEach;
     list.resize(this->Good ? static_cast<std::size_t>(count) : 0);
   }
 
   bool IsGood() const { return this->Good; }
-  bool IsAtEnd() const { return this->Left == 0; }
+  bool IsAtEnd() const { return this->BytesLeft == 0; }
 
 private:
-  const unsigned char* At;
-  std::size_t Left;
+  const unsigned char* Position;
+  std::size_t BytesLeft;
   bool Good = true;
 };
 
@@ -194,7 +194,7 @@ void Get(Reader& from, EditLog& log)
   {
     collapse.HalfEdge = from.GetIndex();
     collapse.OtherFace = from.GetIndex();
-    collapse.Kept = from.GetIndex();
+    collapse.KeptVertex = from.GetIndex();
     collapse.Position = from.GetPosition(log.IsSingle);
   }
   from.Resize(log.Patches, patches, 3 * sizeof(Index));
@@ -265,7 +265,7 @@ std::vector<unsigned char> WriteLog(const EditLog& log)
   {
     to.Put(collapse.HalfEdge);
     to.Put(collapse.OtherFace);
-    to.Put(collapse.Kept);
+    to.Put(collapse.KeptVertex);
     to.Put(collapse.Position, log.IsSingle);
   }
   for (const LoggedPatch& patch : log.Patches)

@@ -18,7 +18,7 @@ EditLog FinishLog(EditLog log, const RunTask& task, const CleanSurface& cleaned,
   { position = OutputPosition(task.Input, cleaned, vertex, position, task.Rounding); };
   for (LoggedCollapse& collapse : log.Collapses)
   {
-    write(collapse.Kept, collapse.Position);
+    write(collapse.KeptVertex, collapse.Position);
   }
   for (LoggedPatch& patch : log.Patches)
   {
