@@ -99,7 +99,7 @@ double vtkBoneDiagnostics::GetLength(int diagnostic) const
 
 std::string vtkBoneDiagnostics::GetIdsOf(int diagnostic) const
 {
-  const std::string of = this->Internal->InfoAt(diagnostic).Of;
+  const std::string of = this->Internal->InfoAt(diagnostic).IdKind;
   return of == "triangle" ? "cell" : of;
 }
 

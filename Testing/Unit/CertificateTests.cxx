@@ -236,7 +236,7 @@ TEST(Certificate, HoldsForAnyCandidatesOfTheSearch)
     goal.MinGap = 4.0 * goal.Slack;
     goal.MaxCuts = 1000;
     goal.NumberOfThreads = 1;
-    const DistanceBounds found = FindLargestExcess(source, target, values, goal, {}, GoOn);
+    const DistanceBounds found = FindMaxExcess(source, target, values, goal, {}, GoOn);
     const Sampled sampled = SampleDistance(pair.Reference, pair.Result, 8);
     EXPECT_LE(sampled.Largest, found.Upper);
     EXPECT_GE(sampled.Largest + sampled.Reach, found.Lower);

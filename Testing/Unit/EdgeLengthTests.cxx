@@ -153,7 +153,7 @@ TEST(EdgeSplit, LeavesTheSurfaceWhereItIs)
       }
     }
     EXPECT_GT(mesh.NumberOfFaces(), before + 40);
-    EXPECT_EQ(onBoundary > 0, editor.Original().AtFirst().Surface.Points.size() == 169U);
+    EXPECT_EQ(onBoundary > 0, editor.Original().CleanInput().Surface.Points.size() == 169U);
     EXPECT_NEAR(AreaOf(mesh), area, 1e-9 * area);
     // Every vertex of the input is still in a vertex of the mesh.
     for (const Index v : editor.Original().CurrentOfInitial())

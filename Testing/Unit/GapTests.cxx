@@ -8,7 +8,7 @@
 #include "Mesh/ManifoldPatches.h"
 #include "Proof/Guard/FaceGrid.h"
 #include "Proof/Guard/GapRule.h"
-#include "Proof/Guard/Piece.h"
+#include "Proof/Guard/PairFace.h"
 #include "Proof/Guard/TrianglePair.h"
 #include "Runs.h"
 
@@ -43,7 +43,7 @@ std::vector<double> GapsNow(const Editor& editor, const GapRule& first)
   for (std::size_t v = 0; v < current.size(); ++v)
   {
     double& least = gaps[current[v]];
-    least = std::min<double>(least, first.Of(static_cast<Index>(v)).ToOther);
+    least = std::min<double>(least, first.Of(static_cast<Index>(v)).BetweenFragments);
   }
   return gaps;
 }
@@ -72,14 +72,16 @@ int CountNarrow(const Editor& editor, const CleanSurface& clean, double error)
     const Triangle v = mesh.Corners(id);
     const TriangleCorners c = { mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) };
     const Face face = { c, c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2]),
-      first.PartOf(v[0]), std::min({ gaps[v[0]], gaps[v[1]], gaps[v[2]] }) };
+      first.FragmentOf(v[0]), std::min({ gaps[v[0]], gaps[v[1]], gaps[v[2]] }) };
     for (const Face& other : faces)
     {
       const double half = 0.5 * std::min(face.Gap, other.Gap);
       const bool mayBeNear = face.Part != other.Part &&
         (face.Low - other.High).cwiseMax(other.Low - face.High).maxCoeff() < half;
       count +=
-        mayBeNear && WayBetween(face.Corners, other.Corners).SquaredLength < half * half ? 1 : 0;
+        mayBeNear && ShortestConnection(face.Corners, other.Corners).SquaredLength < half * half
+        ? 1
+        : 0;
     }
     faces.push_back(face);
   }
@@ -250,16 +252,16 @@ bool MeetsMore(bool isOfAnotherFragment)
   const Vector3 away(5.0, 0.0, 0.0);
   const HalfEdgeMesh mesh(
     Together(Together(upright, Moved(upright, away)), Together(flat, Moved(flat, away))));
-  std::vector<Piece> pieces;
+  std::vector<PairFace> pieces;
   for (FaceId face = 0; face < 4; ++face)
   {
     pieces.emplace_back(mesh, mesh.Corners(face), CornersOf(mesh, mesh.Corners(face)));
     pieces.back().Fragment = 0;
   }
   pieces[3].Fragment = isOfAnotherFragment ? 1 : 0;
-  std::vector<Piece> before = { pieces[0] };
-  std::vector<Piece> after = { pieces[1] };
-  std::vector<Piece> near = { pieces[2], pieces[3] };
+  std::vector<PairFace> before = { pieces[0] };
+  std::vector<PairFace> after = { pieces[1] };
+  std::vector<PairFace> near = { pieces[2], pieces[3] };
   return MeetMore(before, after, near, WrittenPositions());
 }
 }

@@ -156,7 +156,8 @@ double ThicknessOf(const Surface& surface)
           [&](Index v) { return std::find(upper.begin(), upper.end(), v) != upper.end(); });
       if (areOpposed)
       {
-        const Way way = WayBetween(CornersOf(surface, upper), CornersOf(surface, lower));
+        const Connection way =
+          ShortestConnection(CornersOf(surface, upper), CornersOf(surface, lower));
         const double length = std::sqrt(way.SquaredLength);
         const bool areFacing = way.FromAToB.dot(normal) < -leastCosine * length &&
           way.FromAToB.dot(other) > leastCosine * length;
@@ -191,15 +192,16 @@ TEST(GapRule, AreTheDistancesToWhatFacesAcross)
   for (std::size_t i = 0; i < surfaces.Points.size(); ++i)
   {
     const Gap& gap = gaps.Of(static_cast<Index>(i));
-    EXPECT_NEAR(gap.ToOther, 0.3F, 1e-6F);
-    EXPECT_TRUE(std::isinf(gap.ToOwn)); // flat: nothing faces anything
+    EXPECT_NEAR(gap.BetweenFragments, 0.3F, 1e-6F);
+    EXPECT_TRUE(std::isinf(gap.WithinFragment)); // flat: nothing faces anything
   }
   for (std::size_t i = 0; i < plate.Points.size(); ++i)
   {
     const Vector3& p = plate.Points[i];
     const bool isInside = p[0] > 0.5 && p[0] < 5.5 && p[1] > 0.5 && p[1] < 5.5;
-    EXPECT_TRUE(!isInside || std::abs(gapsOfPlate.Of(static_cast<Index>(i)).ToOwn - 0.3F) < 1e-6F);
-    EXPECT_TRUE(std::isinf(gapsOfPlate.Of(static_cast<Index>(i)).ToOther));
+    EXPECT_TRUE(
+      !isInside || std::abs(gapsOfPlate.Of(static_cast<Index>(i)).WithinFragment - 0.3F) < 1e-6F);
+    EXPECT_TRUE(std::isinf(gapsOfPlate.Of(static_cast<Index>(i)).BetweenFragments));
   }
 }
 

@@ -25,7 +25,7 @@ struct CoveringSurface
   {
     this->Set.Points = surface.Points;
     this->Set.Corners = surface.Triangles;
-    this->Set.Across = &this->Sides;
+    this->Set.Sides = &this->Sides;
   }
 
   /// mm, the bound of all parts; infinite if the triangle is not covered.

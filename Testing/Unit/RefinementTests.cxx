@@ -45,7 +45,7 @@ public:
     , FaceErrors(static_cast<std::size_t>(this->Original.NumberOfFaceSlots()), -1.0F)
   {
     BucketSweep(this->MeshEditor, 1).Run({ this->Original.NumberOfFaces() / divisor, 0.0 }, GoOn);
-    this->Back.Begin(this->MeshEditor.Mesh(), 1, GoOn);
+    this->Back.Restart(this->MeshEditor.Mesh(), 1, GoOn);
     this->Fit.Distribute(
       this->MeshEditor.Mesh(), this->MeshEditor.Original().CurrentOfInitial(), 1, GoOn);
     this->MeshEditor.PrepareCollapses(1);
@@ -135,7 +135,7 @@ public:
   Editor MeshEditor;
   HalfEdgeMesh Original;
   Samples Fit;
-  BackHints Back;
+  OriginalHints Back;
   std::vector<float> FaceErrors;
 };
 

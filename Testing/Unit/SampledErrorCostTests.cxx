@@ -12,8 +12,8 @@ using namespace bonedecimate;
 
 namespace
 {
-constexpr double Unit = 0.5;                     // mm
-constexpr Samples::Usual Usual = { 0.125, 2.0 }; // mm, squares of the unit
+constexpr double Unit = 0.5;                        // mm
+constexpr Samples::Averages Usual = { 0.125, 2.0 }; // mm, squares of the unit
 
 double ThreeHalvesOf(double distance)
 {

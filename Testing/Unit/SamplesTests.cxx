@@ -4,7 +4,7 @@
 #include "BruteForce.h"
 #include "Decimate/Schedule/BucketSweep.h"
 #include "Geometry/TriangleFrame.h"
-#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 #include "Random.h"
 #include "Runs.h"
@@ -180,14 +180,14 @@ TEST(Samples, AreTheSameForAnyNumberOfThreads)
   }
 }
 
-TEST(BackHints, LeadToTheNearestPointOfTheOriginalOnASmoothSurface)
+TEST(OriginalHints, LeadToTheNearestPointOfTheOriginalOnASmoothSurface)
 {
   const CleanSurface clean = Clean(BumpySphere(4, 20.0, 0.02, 8), true);
   Editor editor(clean, EditorSettings{ false, false, true });
   const HalfEdgeMesh original = editor.Mesh();
   BucketSweep(editor, 1).Run({ original.NumberOfFaces() / 8, 0.0 }, GoOn);
-  BackHints hints(original);
-  ASSERT_TRUE(hints.Begin(editor.Mesh(), 1, GoOn));
+  OriginalHints hints(original);
+  ASSERT_TRUE(hints.Restart(editor.Mesh(), 1, GoOn));
   for (Index v = 0; v < editor.Mesh().NumberOfVertexSlots(); ++v)
   {
     if (editor.Mesh().Outgoing(v) != None)

@@ -12,7 +12,7 @@
 #include "Decimate/Stages/SlackFit.h"
 #include "GuardedEditor.h"
 #include "Proof/Certificate/Certificate.h"
-#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 #include "Runs.h"
 
@@ -33,7 +33,7 @@ struct Bench
     , Back(this->MeshEditor.Original().BoundedMesh())
   {
     BucketSweep(this->MeshEditor, 1).Run({ 0, 0.0 }, Always);
-    this->Back.Begin(this->Mesh(), 1, Always);
+    this->Back.Restart(this->Mesh(), 1, Always);
     this->Fit.Distribute(this->Mesh(), this->MeshEditor.Original().CurrentOfInitial(), 1, Always);
     this->MeshEditor.PrepareCollapses(1);
   }
@@ -82,7 +82,7 @@ struct Bench
   CleanSurface Cleaned;
   Editor MeshEditor;
   Samples Fit;
-  BackHints Back;
+  OriginalHints Back;
 };
 
 /// mm^3

@@ -367,7 +367,7 @@ TEST(ErrorLimits, AreTheSmallerOfToleranceAndErrorAndLinearInBetween)
   settings.Error = 1.0;
   settings.Tolerances = &map;
   const ErrorLimits limits(mesh, settings);
-  EXPECT_TRUE(limits.Differ());
+  EXPECT_FALSE(limits.IsUniform());
   EXPECT_EQ(limits.At(0), 0.0);
   EXPECT_NEAR(limits.At(1), 1.0, 3e-4);
   EXPECT_NEAR(limits.At(2), 1.0, 3e-4);
@@ -379,10 +379,11 @@ TEST(ErrorLimits, AreTheSmallerOfToleranceAndErrorAndLinearInBetween)
   for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
     const Triangle c = mesh.Corners(face);
-    EXPECT_EQ(limits.Over(face), std::min({ limits.At(c[0]), limits.At(c[1]), limits.At(c[2]) }));
+    EXPECT_EQ(
+      limits.OfTriangle(face), std::min({ limits.At(c[0]), limits.At(c[1]), limits.At(c[2]) }));
   }
-  EXPECT_DOUBLE_EQ(ErrorLimits::Between(1.0, 3.0, 0.25), 1.5);
+  EXPECT_DOUBLE_EQ(ErrorLimits::Interpolate(1.0, 3.0, 0.25), 1.5);
   settings.Error = ErrorBoundSettings().Error;
   EXPECT_TRUE(std::isinf(ErrorLimits(mesh, settings).At(2)));
-  EXPECT_TRUE(std::isinf(ErrorLimits::Between(ErrorBoundSettings().Error, 3.0, 0.5)));
+  EXPECT_TRUE(std::isinf(ErrorLimits::Interpolate(ErrorBoundSettings().Error, 3.0, 0.5)));
 }

@@ -289,7 +289,7 @@ TEST(TrianglePair, DistanceAgreesWithBruteForce)
     {
       const auto isFirst = [](const Triangle& t) { return t[0] == 0; };
       const auto isSecond = [](const Triangle& t) { return t[0] == 3; };
-      const Way way = WayBetween(pair.A, pair.B);
+      const Connection way = ShortestConnection(pair.A, pair.B);
       const double expected = LeastDistance(pair.Both, isFirst, isSecond);
       EXPECT_NEAR(std::sqrt(way.SquaredLength), expected, 0.02);
       EXPECT_LE(std::sqrt(way.SquaredLength), expected + 1e-12);
@@ -321,7 +321,7 @@ TEST(FaceGrid, LeavesNoCellOutThatATriangleReachesInto)
   {
     const TriangleCorners t = { points.Any(), points.Any(), points.Any() };
     const double reach = 0.2 * (1.0 + points.One());
-    std::vector<FaceGrid::Key> cells;
+    std::vector<FaceGrid::CellKey> cells;
     grid.AddCells(t, reach, cells);
     std::sort(cells.begin(), cells.end());
     EXPECT_EQ(std::unique(cells.begin(), cells.end()), cells.end());
@@ -331,10 +331,11 @@ TEST(FaceGrid, LeavesNoCellOutThatATriangleReachesInto)
       const double c = 0.5 * (1.0 + points.One()) * (1.0 - b);
       const Vector3 p = t[0] + b * (t[1] - t[0]) + c * (t[2] - t[0]) +
         reach * points.One() * points.Any().normalized();
-      std::vector<FaceGrid::Key> own;
+      std::vector<FaceGrid::CellKey> own;
       grid.AddCells({ p, p, p }, 0.0, own);
       EXPECT_TRUE(std::any_of(own.begin(), own.end(),
-        [&](FaceGrid::Key cell) { return std::binary_search(cells.begin(), cells.end(), cell); }));
+        [&](FaceGrid::CellKey cell)
+        { return std::binary_search(cells.begin(), cells.end(), cell); }));
     }
   }
 }

@@ -50,6 +50,21 @@ PointOnTriangle PointOnBoundary(const Vector3& p, const Corners& corners)
 }
 }
 
+std::vector<Vector3> AreaNormals(
+  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles)
+{
+  std::vector<Vector3> normals(points.size(), Vector3::Zero());
+  for (const Triangle& c : triangles)
+  {
+    const Vector3 area = AreaVector(points[c[0]], points[c[1]], points[c[2]]);
+    for (const Index corner : c)
+    {
+      normals[corner] += area;
+    }
+  }
+  return normals;
+}
+
 double NearestFraction(const Vector3& p, const Vector3& a, const Vector3& b)
 {
   const Vector3 edge = b - a;

@@ -11,6 +11,7 @@
 #include "Surface.h"
 
 #include <array>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -19,6 +20,10 @@ inline Vector3 AreaVector(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   return 0.5 * (b - a).cross(c - a);
 }
+
+/// At each point the sum of the area vectors of its triangles.
+std::vector<Vector3> AreaNormals(
+  const std::vector<Vector3>& points, const std::vector<Triangle>& triangles);
 
 /// A point on a triangle: position, barycentric coordinates, and distance to the query point.
 struct PointOnTriangle

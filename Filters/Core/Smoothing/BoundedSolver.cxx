@@ -31,7 +31,7 @@ BoundedSolver::BoundedSolver(const SmoothingGraph& graph, const DisplacementSets
   : Graph(graph)
   , Sets(sets)
   , Threads(threads)
-  , RowsAtFirst(points.size())
+  , InitialRows(points.size())
   , Extrapolated(points.size(), Vector3::Zero())
   , Rows(points.size())
   , ColumnBounds(points.size())
@@ -47,7 +47,7 @@ void BoundedSolver::ReadRows(const std::vector<Vector3>& points)
   const auto toUnits = [this](const Vector3& d) { return this->Sets.FromMillimeters(d); };
   ForEachId(points.size(), this->Threads,
     [&](std::size_t p)
-    { this->RowsAtFirst[p] = this->Graph.RowOfPositions(static_cast<Index>(p), points, toUnits); });
+    { this->InitialRows[p] = this->Graph.RowOfPositions(static_cast<Index>(p), points, toUnits); });
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +68,7 @@ int BoundedSolver::IterationsOf(double lambda, bool isNear) const
 //------------------------------------------------------------------------------
 void BoundedSolver::FillRow(Index point)
 {
-  this->Rows[point] = this->RowsAtFirst[point] + this->Graph.Row(point, this->Extrapolated);
+  this->Rows[point] = this->InitialRows[point] + this->Graph.Row(point, this->Extrapolated);
 }
 
 //------------------------------------------------------------------------------

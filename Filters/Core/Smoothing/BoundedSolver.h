@@ -14,12 +14,12 @@
  *     D_i   twice the absolute sum of column i of L
  *     beta  (sqrt k - 1) / (sqrt k + 1), k = 1 + 4 lambda
  *
- * D bounds the largest eigenvalue of L^T L scaled by it, so the step is always safe. After ceil(4
- * sqrt k) iterations the error is a few micrometers; after half of them if they start near the
- * minimum. Double precision; the result does not depend on the number of threads.
+ * D bounds the largest eigenvalue of L^T L scaled by it, so every step is safe. After ceil(4 sqrt
+ * k) iterations the error is a few micrometers; after half as many if they start near the minimum.
+ * Double precision; the result does not depend on the number of threads.
  *
- * Y. Nesterov, Introductory Lectures on Convex Optimization, 2004, 2.2:
- * constant step, strongly convex.
+ * Y. Nesterov, Introductory Lectures on Convex Optimization, 2004, 2.2: constant step, strongly
+ * convex.
  */
 #ifndef BoneDecimate_Core_Smoothing_BoundedSolver_h
 #define BoneDecimate_Core_Smoothing_BoundedSolver_h
@@ -39,25 +39,27 @@ public:
   BoundedSolver(const SmoothingGraph& graph, const DisplacementSets& sets,
     const std::vector<Vector3>& points, int threads);
 
-  /// Reads the graph again after its rows have changed.  @param points mm, as in the constructor.
+  /// Reads the graph again after its rows have changed.
+  /// @param points mm, as in the constructor.
   void ReadRows(const std::vector<Vector3>& points);
 
   /// Number of iterations after which displacements are accurate to a few micrometers.
   /// @param isNear Whether they start at the result of a few iterations with a similar lambda.
   int IterationsOf(double lambda, bool isNear) const;
 
-  /// Moves the displacements, in units of the sets, towards the minimum from where they are.
-  /// @param monitor May be empty.  @return False after an abort; the displacements are then still
-  /// within the sets.
+  /// Moves the displacements, in units of the sets, from their present values towards the minimum.
+  /// @param monitor May be empty.
+  /// @return False after an abort; the displacements are then still within the sets.
   bool Run(
     double lambda, int iterations, const Monitor& monitor, std::vector<Vector3>& displacements);
 
-  /// The same for some points; all others keep their displacement.  @param points Ascending.
+  /// The same for some points; all others keep their displacement.
+  /// @param points Ascending.
   void RunSome(
     double lambda, const std::vector<Index>& points, std::vector<Vector3>& displacements);
 
 private:
-  /// For each axis: longer units have a stronger smoothing, because the quantization is that much
+  /// The strength along each axis: longer units are smoothed more, because their quantization is
   /// coarser.
   Vector3 Strengths(double lambda) const;
   void FillRow(Index point);
@@ -67,7 +69,7 @@ private:
   const SmoothingGraph& Graph;
   const DisplacementSets& Sets;
   int Threads;
-  std::vector<Vector3> RowsAtFirst;  // L x0, in units of the sets
+  std::vector<Vector3> InitialRows;  // L x0, in units of the sets
   std::vector<Vector3> Extrapolated; // y
   std::vector<Vector3> Rows;         // L (x0 + y)
   std::vector<double> ColumnBounds;  // D

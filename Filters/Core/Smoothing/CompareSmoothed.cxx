@@ -17,12 +17,12 @@ namespace
 struct Displacements
 {
   double Squares = 0.0; // mm^2
-  double Largest = 0.0; // mm^2
+  double Max = 0.0;     // mm^2
 
   Displacements& operator+=(const Displacements& other)
   {
     this->Squares += other.Squares;
-    this->Largest = std::max(this->Largest, other.Largest);
+    this->Max = std::max(this->Max, other.Max);
     return *this;
   }
 };
@@ -107,7 +107,7 @@ SmoothingFigures CompareSmoothed(const Surface& before, const std::vector<Vector
 {
   SmoothingFigures figures;
   const Displacements moved = DisplacementsOf(before.Points, after, threads);
-  figures.MaxDisplacement = std::sqrt(moved.Largest);
+  figures.MaxDisplacement = std::sqrt(moved.Max);
   figures.RmsDisplacement =
     before.Points.empty() ? 0.0 : std::sqrt(moved.Squares / static_cast<double>(after.size()));
   std::vector<Vector3> areas = AreaVectors(before.Points, before.Triangles, threads);

@@ -13,7 +13,7 @@ namespace bonedecimate
 namespace
 {
 constexpr double Slack = 4e-3; // half voxels
-/// What rounding may take of it, so that triangles stay 10^-3 voxels away from voxel centers.
+/// Part of it for rounding; the rest keeps triangles 10^-3 voxels away from voxel centers.
 constexpr double SlackOfRounding = 0.125 * Slack;
 
 int NumberOfOdd(const GridPoint& point)
@@ -22,8 +22,8 @@ int NumberOfOdd(const GridPoint& point)
     std::count_if(point.begin(), point.end(), [](std::int32_t i) { return i % 2 != 0; }));
 }
 
-/// The nearest point of the octahedron sum w |x| <= radius to p, by the threshold t of x = p
-/// shortened by t w along each axis.
+/// The point of the octahedron sum w |x| <= radius that is nearest to p: p shortened by t w along
+/// each axis, with a threshold t.
 Vector3 NearestInOctahedron(const Vector3& p, const Vector3& w, double radius)
 {
   const Vector3 lengths = p.cwiseAbs();
@@ -33,7 +33,8 @@ Vector3 NearestInOctahedron(const Vector3& p, const Vector3& w, double radius)
   }
   std::array<bool, 3> isActive = { true, true, true };
   double threshold = 0.0;
-  // An axis whose length falls below 0 is 0 in the nearest point; the threshold only grows then.
+  // An axis whose length falls below 0 is 0 in the nearest point. The threshold only grows without
+  // it.
   for (bool isDone = false; !isDone;)
   {
     double sum = -radius;
@@ -81,7 +82,7 @@ DisplacementSets::DisplacementSets(const std::vector<Vector3>& points, std::vect
 }
 
 //------------------------------------------------------------------------------
-/// A point that lies outside of its octahedron was not extracted there: it does not move.
+/// A point outside of its octahedron was not extracted there; it does not move.
 void DisplacementSets::AddOctahedra(
   const std::vector<Vector3>& points, const LabelMapSource& source, int threads)
 {

@@ -2,23 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DisplacementSets.h
- * @brief For each point the convex set of displacements that it may take: a ball, and an
- * octahedron if its grid point is known.
+ * @brief For each point the convex set of its allowed displacements: a ball, and an octahedron if
+ * its grid point is known.
  *
  *     ball:        |d| <= r
  *     octahedron:  sum of |x0 + d - c| / h over the axes <= n - slack
  *                  h: half the side of a voxel, n: odd coordinates
  *
  * VoxelGrid.h says why points in octahedra keep the label of every voxel. The slack keeps triangles
- * away from voxel centers: at 4e-3 half voxels by 1.1e-3 voxels.
+ * away from voxel centers: 4e-3 half voxels give 1.1e-3 voxels.
  *
  * Displacements are along the axes of the grid, in units of the set: millimeters, or half voxels
  * for thick slices, where the octahedron alone limits points that have one.
  *
- * The sets contain 0. A projection onto a convex set never leads away from its points: in
- * millimeters the octahedron after the ball keeps to the ball; in half voxels the ball shortens,
- * which keeps to the octahedron. Along the axes of a sheared grid the projection is not that of
- * millimeters, so the ball shortens there, too. Its radius is in millimeters in any case.
+ * The sets contain 0. In millimeters a point is projected onto the ball, then onto the octahedron:
+ * a projection onto a convex set that contains 0 does not lengthen, so the point stays in the ball.
+ * In half voxels it is projected onto the octahedron, then shortened to the ball, which keeps it in
+ * the octahedron. Sheared grids use this order, too, because a projection along their axes may
+ * lengthen. The radius of the ball is always in millimeters.
  */
 #ifndef BoneDecimate_Core_Smoothing_DisplacementSets_h
 #define BoneDecimate_Core_Smoothing_DisplacementSets_h
@@ -34,9 +35,10 @@ namespace bonedecimate
 class DisplacementSets
 {
 public:
-  /// @param points mm.  @param radii mm, of each point; 0: it does not move.
-  /// @param source With OfPoint: octahedra; null or without: balls alone.
-  /// Its grid has the points' origin.
+  /// @param points mm.
+  /// @param radii mm, of each point; 0: it does not move.
+  /// @param source With OfPoint: octahedra; null or without: only balls. Its grid has the same
+  ///   origin as the points.
   /// @param inVoxels Units of half voxels along each axis. Only with a source.
   DisplacementSets(const std::vector<Vector3>& points, std::vector<double> radii,
     const LabelMapSource* source, bool inVoxels, int threads);
@@ -56,7 +58,7 @@ public:
       : this->OntoOctahedron(point, this->ShortenedToBall(point, displacement));
   }
 
-  /// Whether a displacement in mm keeps to the octahedron, with an eighth of its slack for
+  /// Whether a displacement in mm stays in the octahedron, with an eighth of its slack for
   /// rounding; true without octahedra.
   bool KeepsToOctahedron(Index point, const Vector3& millimeters) const;
 

@@ -45,7 +45,7 @@ bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after, int 
 {
   for (const TrianglesInTime* at : { &before, &after })
   {
-    const Vector3 direction = WayBetween(at->First, at->Second).FromAToB;
+    const Vector3 direction = ShortestConnection(at->First, at->Second).FromAToB;
     if (Separates(direction, before) && Separates(direction, after))
     {
       return true;

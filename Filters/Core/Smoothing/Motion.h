@@ -4,8 +4,8 @@
  * @file Motion.h
  * @brief Whether two triangles stay apart while their corners move along straight lines.
  *
- * A plane that keeps its normal separates the triangles at every time between two times at which it
- * does, because corners are linear in time. Where no such plane is found, time is halved.
+ * Corners are linear in time. So a plane of constant normal that separates the triangles at two
+ * times does so at all times between. If no such plane is found, the interval of time is halved.
  */
 #ifndef BoneDecimate_Core_Smoothing_Motion_h
 #define BoneDecimate_Core_Smoothing_Motion_h
@@ -20,7 +20,7 @@ struct TrianglesInTime
 };
 
 /// Whether two triangles that meet neither before nor after do not meet in between. True is proved;
-/// false also where they move and come so near that it is not clear.
+/// false also if they come so near that it stays open.
 bool StayApart(const TrianglesInTime& before, const TrianglesInTime& after);
 }
 

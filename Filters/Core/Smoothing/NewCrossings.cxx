@@ -21,55 +21,19 @@ PlaneTriangle PlaneTriangleOf(const std::vector<Vector3>& points, const Triangle
   return PlaneTriangle({ points[c[0]], points[c[1]], points[c[2]] });
 }
 
-/// Corners that two triangles have in common, by their numbers in each.
-struct CommonCorners
-{
-  CommonCorners(const Triangle& a, const Triangle& b)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      for (std::size_t j = 0; j < 3; ++j)
-      {
-        if (a[i] == b[j])
-        {
-          ++this->Count;
-          this->SumA += i;
-          this->SumB += j;
-        }
-      }
-    }
-  }
-  std::size_t Count = 0;
-  std::size_t SumA = 0, SumB = 0; // of one: its number; of two: 3 less that of the third corner
-};
-
-bool Intersect(const PlaneTriangle& first, const PlaneTriangle& second, const CommonCorners& common)
-{
-  switch (common.Count)
-  {
-    case 0:
-      return Meet(first, second);
-    case 1:
-      return MeetBeyondCorner(first, common.SumA, second, common.SumB);
-    case 2:
-      return MeetBeyondEdge(first, 3 - common.SumA, second.Corners[3 - common.SumB]);
-    default:
-      return false;
-  }
-}
 }
 
-/// Triangles where they are now.
+/// The triangles of a leaf at their moved positions.
 struct NewCrossings::Leaf
 {
-  std::size_t First = 0;
-  std::size_t Last = 0;
+  std::size_t FirstTriangle = 0;
+  std::size_t EndTriangle = 0;
   std::array<PlaneTriangle, LeafSize> Triangles;
 };
 
 NewCrossings::NewCrossings(const Surface& before, Times times, int threads)
-  : Before(before)
-  , Checked(times)
+  : SurfaceBefore(before)
+  , CheckedTimes(times)
   , Threads(threads)
   , Leaves(1)
 {
@@ -85,7 +49,7 @@ void NewCrossings::FillTree(const std::vector<Vector3>& points)
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Box empty = { Vector3::Constant(infinity), Vector3::Constant(-infinity) };
   this->Boxes.assign(2 * this->Leaves, empty);
-  this->TriangleBoxes.resize(this->Before.Triangles.size());
+  this->TriangleBoxes.resize(this->SurfaceBefore.Triangles.size());
   const auto boxOf = [](const std::vector<Vector3>& at, const Triangle& c)
   {
     return Box{ at[c[0]].cwiseMin(at[c[1]]).cwiseMin(at[c[2]]),
@@ -96,18 +60,18 @@ void NewCrossings::FillTree(const std::vector<Vector3>& points)
     box.Low = box.Low.cwiseMin(other.Low);
     box.High = box.High.cwiseMax(other.High);
   };
-  const std::size_t count = this->Before.Triangles.size();
+  const std::size_t count = this->SurfaceBefore.Triangles.size();
   ForEachId((count + LeafSize - 1) / LeafSize, this->Threads,
     [&](std::size_t leaf)
     {
       Box& box = this->Boxes[this->Leaves + leaf];
       for (std::size_t t = LeafSize * leaf; t < std::min(count, LeafSize * (leaf + 1)); ++t)
       {
-        const Triangle& c = this->Before.Triangles[t];
+        const Triangle& c = this->SurfaceBefore.Triangles[t];
         this->TriangleBoxes[t] = boxOf(points, c);
-        if (this->Checked == Times::All)
+        if (this->CheckedTimes == Times::All)
         {
-          join(this->TriangleBoxes[t], boxOf(this->Before.Points, c));
+          join(this->TriangleBoxes[t], boxOf(this->SurfaceBefore.Points, c));
         }
         join(box, this->TriangleBoxes[t]);
       }
@@ -120,7 +84,7 @@ void NewCrossings::FillTree(const std::vector<Vector3>& points)
 }
 
 //------------------------------------------------------------------------------
-/// The leaf itself and those whose boxes overlap its box: the later ones, or all.
+/// The leaf itself, and the later or all leaves whose boxes overlap its box.
 void NewCrossings::FindNear(
   std::size_t leaf, bool withEarlier, std::vector<std::size_t>& leaves) const
 {
@@ -170,26 +134,26 @@ bool NewCrossings::IsTurnedOver(const std::vector<Vector3>& points, const Triang
 {
   const auto areaOf = [&c](const std::vector<Vector3>& at)
   { return Vector3((at[c[1]] - at[c[0]]).cross(at[c[2]] - at[c[0]])); };
-  const Vector3 before = areaOf(this->Before.Points);
+  const Vector3 before = areaOf(this->SurfaceBefore.Points);
   return before.squaredNorm() > 0.0 && !(Dot(before, areaOf(points)) > 0.0);
 }
 
-/// Whether two triangles that intersect now or have passed through each other did not before. Those
-/// that only touched may touch, but not pierce each other.
+/// Whether two triangles intersect now or have passed through each other, and did not before. A
+/// pair that touched before may touch, but not pierce each other.
 bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
 {
-  const Triangle& first = this->Before.Triangles[a];
-  const Triangle& second = this->Before.Triangles[b];
-  const CommonCorners common(first, second);
-  const bool isWatched = this->Checked == Times::All && common.Count == 0;
-  const bool intersect = Intersect(now.First, now.Second, common);
+  const Triangle& first = this->SurfaceBefore.Triangles[a];
+  const Triangle& second = this->SurfaceBefore.Triangles[b];
+  const int common = CountCommon(first, second);
+  const bool isWatched = this->CheckedTimes == Times::All && common == 0;
+  const bool intersect = common < 3 && Meet(now.First, first, now.Second, second);
   if (!intersect && !isWatched)
   {
     return false;
   }
-  const PlaneTriangle firstBefore = PlaneTriangleOf(this->Before.Points, first);
-  const PlaneTriangle secondBefore = PlaneTriangleOf(this->Before.Points, second);
-  if (Intersect(firstBefore, secondBefore, common))
+  const PlaneTriangle firstBefore = PlaneTriangleOf(this->SurfaceBefore.Points, first);
+  const PlaneTriangle secondBefore = PlaneTriangleOf(this->SurfaceBefore.Points, second);
+  if (Meet(firstBefore, first, secondBefore, second))
   {
     return intersect && Pierce(now.First, now.Second) && !Pierce(firstBefore, secondBefore);
   }
@@ -199,11 +163,12 @@ bool NewCrossings::IsNew(const Pair& now, std::size_t a, std::size_t b) const
 }
 
 //------------------------------------------------------------------------------
-/// Pairs of a moved triangle of the leaf; of two moved ones the pair with the lesser in this leaf.
+/// Finds the pairs with a moved triangle of the leaf. A pair of two moved ones belongs to the leaf
+/// of the first.
 void NewCrossings::FindOfLeaf(std::size_t leaf, const Query& query, std::vector<Index>& found) const
 {
   const std::size_t first = LeafSize * leaf;
-  const std::size_t last = std::min(this->Before.Triangles.size(), first + LeafSize);
+  const std::size_t last = std::min(this->SurfaceBefore.Triangles.size(), first + LeafSize);
   if (std::none_of(query.IsMoved.begin() + static_cast<std::ptrdiff_t>(first),
         query.IsMoved.begin() + static_cast<std::ptrdiff_t>(last),
         [](char moved) { return moved != 0; }))
@@ -215,15 +180,15 @@ void NewCrossings::FindOfLeaf(std::size_t leaf, const Query& query, std::vector<
   Leaf own = { first, last, {} };
   for (std::size_t t = first; t < last; ++t)
   {
-    own.Triangles[t - first] = PlaneTriangleOf(query.Points, this->Before.Triangles[t]);
-    if (query.IsMoved[t] != 0 && this->IsTurnedOver(query.Points, this->Before.Triangles[t]))
+    own.Triangles[t - first] = PlaneTriangleOf(query.Points, this->SurfaceBefore.Triangles[t]);
+    if (query.IsMoved[t] != 0 && this->IsTurnedOver(query.Points, this->SurfaceBefore.Triangles[t]))
     {
       found.push_back(static_cast<Index>(t));
     }
   }
   for (const std::size_t near : leaves)
   {
-    const std::size_t end = std::min(this->Before.Triangles.size(), LeafSize * (near + 1));
+    const std::size_t end = std::min(this->SurfaceBefore.Triangles.size(), LeafSize * (near + 1));
     for (std::size_t u = LeafSize * near; u < end; ++u)
     {
       if (this->Boxes[this->Leaves + leaf].Overlaps(this->TriangleBoxes[u]))
@@ -235,21 +200,21 @@ void NewCrossings::FindOfLeaf(std::size_t leaf, const Query& query, std::vector<
 }
 
 //------------------------------------------------------------------------------
-/// Pairs of a triangle and moved triangles of the leaf.
+/// Finds the pairs of a triangle and moved triangles of the leaf.
 void NewCrossings::FindOfTriangle(
   std::size_t u, const Leaf& leaf, const Query& query, std::vector<Index>& found) const
 {
   std::optional<PlaneTriangle> other;
-  for (std::size_t t = leaf.First; t < leaf.Last; ++t)
+  for (std::size_t t = leaf.FirstTriangle; t < leaf.EndTriangle; ++t)
   {
     const bool isOfThisLeaf = query.IsMoved[t] != 0 && (query.IsMoved[u] == 0 || t < u);
     if (isOfThisLeaf && this->TriangleBoxes[t].Overlaps(this->TriangleBoxes[u]))
     {
       if (!other)
       {
-        other = PlaneTriangleOf(query.Points, this->Before.Triangles[u]);
+        other = PlaneTriangleOf(query.Points, this->SurfaceBefore.Triangles[u]);
       }
-      if (this->IsNew({ leaf.Triangles[t - leaf.First], *other }, t, u))
+      if (this->IsNew({ leaf.Triangles[t - leaf.FirstTriangle], *other }, t, u))
       {
         found.push_back(static_cast<Index>(t));
         found.push_back(static_cast<Index>(u));
@@ -265,7 +230,7 @@ std::vector<Index> NewCrossings::Find(
   this->FillTree(points);
   const Query query = { points, isMoved,
     std::all_of(isMoved.begin(), isMoved.end(), [](char moved) { return moved != 0; }) };
-  const std::size_t leaves = (this->Before.Triangles.size() + LeafSize - 1) / LeafSize;
+  const std::size_t leaves = (this->SurfaceBefore.Triangles.size() + LeafSize - 1) / LeafSize;
   std::vector<std::vector<Index>> parts((leaves + LeavesOfBlock - 1) / LeavesOfBlock);
   ForEachPart(parts.size(), this->Threads, monitor,
     [&](std::size_t part)

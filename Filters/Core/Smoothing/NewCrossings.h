@@ -5,14 +5,14 @@
  * @brief Triangles that intersect or are turned over after their points have moved, and were not
  * before.
  *
- *     pairs:   triangles whose boxes overlap, from a binary tree of boxes over the
- *              triangles as they come, which lie along a curve that fills space; pairs that
- *              intersect (Proof/Guard/TrianglePair.h) and did not before, or that pierce
- *              each other and only touched before
- *     passed:  on request, pairs without a common corner that pass through
- *              each other on the way (Motion.h)
- *     turned:  triangles whose normal has turned by 90 degrees or
- *              more, or that have lost their area
+ *     pairs:   triangles whose boxes overlap, from a binary tree of boxes over the triangles in
+ *              their order, which is that of a space-filling curve; pairs that intersect
+ *              (Proof/Guard/TrianglePair.h) and did not before, or that pierce each other and
+ *              only touched before
+ *     passed:  on request, pairs without a common corner that pass through each other on the
+ *              way (Motion.h)
+ *     turned:  triangles whose normal has turned by 90 degrees or more, or that have lost
+ *              their area
  *
  * The result does not depend on the number of threads.
  */
@@ -30,7 +30,7 @@ namespace bonedecimate
 class NewCrossings
 {
 public:
-  /// When triangles are compared.
+  /// Times at which triangles are compared.
   enum class Times
   {
     End, ///< Where the points are now.
@@ -40,8 +40,8 @@ public:
   NewCrossings(const Surface& before, Times times, int threads);
 
   /**
-   * @param points Where the points of the surface are now, mm.
-   * @param isMoved For each triangle: pairs of two triangles without it are left out.
+   * @param points Moved points of the surface, mm.
+   * @param isMoved For each triangle. Pairs of two triangles that have not moved are left out.
    * @param monitor May be empty; after an abort the list is not complete.
    * @return The triangles, ascending.
    */
@@ -63,7 +63,7 @@ private:
   {
     const std::vector<Vector3>& Points;
     const std::vector<char>& IsMoved;
-    bool AreAllMoved; ///< Then the first leaf of a pair finds it.
+    bool AreAllMoved; ///< Then each pair is found only from its first leaf.
   };
   void FillTree(const std::vector<Vector3>& points);
   void FindNear(std::size_t leaf, bool withEarlier, std::vector<std::size_t>& leaves) const;
@@ -73,7 +73,7 @@ private:
   void FindOfTriangle(
     std::size_t triangle, const Leaf& leaf, const Query& query, std::vector<Index>& found) const;
   bool IsTurnedOver(const std::vector<Vector3>& points, const Triangle& corners) const;
-  /// Two triangles where they are now.
+  /// Two triangles at their moved positions.
   struct Pair
   {
     const PlaneTriangle& First;
@@ -81,8 +81,8 @@ private:
   };
   bool IsNew(const Pair& now, std::size_t a, std::size_t b) const;
 
-  const Surface& Before;
-  Times Checked;
+  const Surface& SurfaceBefore;
+  Times CheckedTimes;
   int Threads;
   std::size_t Leaves;     // a power of two
   std::vector<Box> Boxes; // children of i: 2 i and 2 i + 1; the root is 1

@@ -17,7 +17,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// In sums of the bends of two patches: curvature alone explains at most 1.5.
+/// In sums of the bends of two patches. Curvature alone explains at most 1.5.
 constexpr double MaxOfBends = 2.0;
 
 /// Whether two triangles at an edge have their normals on the same side of the surface.
@@ -55,11 +55,11 @@ public:
     }
     std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
     std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
-    this->All.resize(2 * oriented.size());
+    this->NeighborList.resize(2 * oriented.size());
     for (const auto& [a, b] : oriented)
     {
-      this->All[next[a]++] = b;
-      this->All[next[b]++] = a;
+      this->NeighborList[next[a]++] = b;
+      this->NeighborList[next[b]++] = a;
     }
   }
 
@@ -68,13 +68,13 @@ public:
   {
     for (std::size_t k = this->Starts[triangle]; k < this->Starts[triangle + 1]; ++k)
     {
-      visit(this->All[k]);
+      visit(this->NeighborList[k]);
     }
   }
 
 private:
   std::vector<std::size_t> Starts;
-  std::vector<Index> All;
+  std::vector<Index> NeighborList;
 };
 
 /// Collects patches; one for each worker.
@@ -82,7 +82,7 @@ class Collector
 {
 public:
   explicit Collector(std::size_t triangles)
-    : Seen(triangles, 0)
+    : LastPatches(triangles, 0)
   {
   }
 
@@ -92,16 +92,16 @@ public:
   {
     ++this->Patch;
     this->Members.assign(1, center);
-    this->Seen[center] = this->Patch;
+    this->LastPatches[center] = this->Patch;
     for (std::size_t i = 0; i < this->Members.size(); ++i)
     {
       neighbors.VisitEach(this->Members[i],
         [&](Index next)
         {
-          if (this->Seen[next] != this->Patch &&
+          if (this->LastPatches[next] != this->Patch &&
             (centroids[next] - centroids[center]).squaredNorm() <= radius * radius)
           {
-            this->Seen[next] = this->Patch;
+            this->LastPatches[next] = this->Patch;
             this->Members.push_back(next);
           }
         });
@@ -110,12 +110,12 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> Seen; // the last patch of each triangle
+  std::vector<std::uint32_t> LastPatches; // the last patch of each triangle
   std::uint32_t Patch = 0;
   std::vector<Index> Members;
 };
 
-/// Radians: of the cap of a sphere that has this spread.
+/// Bend in radians of the cap of a sphere with this spread.
 double BendOf(double spread)
 {
   const double cosine = 1.0 - 2.0 * spread;
@@ -129,12 +129,12 @@ public:
   NormalField(const std::vector<Vector3>& points, const std::vector<Triangle>& triangles,
     const std::vector<std::array<Index, 2>>& edges, const SharpEdgeSettings& settings)
     : Settings(settings)
-    , Adjacent(triangles, edges)
+    , TriangleNeighbors(triangles, edges)
     , Centroids(triangles.size())
     , AreaVectors(triangles.size())
     , Means(triangles.size())
     , Spreads(triangles.size())
-    , Best(triangles.size())
+    , FlattestPatches(triangles.size())
   {
     ForEachId(triangles.size(), settings.Threads,
       [&](std::size_t t)
@@ -145,20 +145,23 @@ public:
       });
     this->ForEachPatch(
       [this](Index t, const std::vector<Index>& patch) { this->Summarize(t, patch); });
-    this->ForEachPatch(
-      [this](Index t, const std::vector<Index>& patch) { this->Best[t] = this->Flattest(patch); });
+    this->ForEachPatch([this](Index t, const std::vector<Index>& patch)
+      { this->FlattestPatches[t] = this->Flattest(patch); });
   }
 
   bool IsSharp(const std::array<Index, 2>& edge) const
   {
-    const Index a = this->Best[edge[0]];
-    const Index b = this->Best[edge[1]];
+    const Index a = this->FlattestPatches[edge[0]];
+    const Index b = this->FlattestPatches[edge[1]];
     const double angle = AngleBetween(this->Means[a], this->Means[b]);
     return DegreesPerRadian * angle > this->Settings.Angle &&
       angle > MaxOfBends * (BendOf(this->Spreads[a]) + BendOf(this->Spreads[b]));
   }
 
-  const Vector3& Normal(Index triangle) const { return this->Means[this->Best[triangle]]; }
+  const Vector3& Normal(Index triangle) const
+  {
+    return this->Means[this->FlattestPatches[triangle]];
+  }
 
 private:
   template <typename Work>
@@ -173,7 +176,8 @@ private:
         {
           const auto triangle = static_cast<Index>(t);
           work(triangle,
-            collector->Collect(triangle, this->Settings.Scale, this->Centroids, this->Adjacent));
+            collector->Collect(
+              triangle, this->Settings.Scale, this->Centroids, this->TriangleNeighbors));
         }
       });
   }
@@ -201,13 +205,13 @@ private:
   }
 
   const SharpEdgeSettings& Settings;
-  Neighbors Adjacent;
+  Neighbors TriangleNeighbors;
   WorkspacePool<Collector> Collectors;
   std::vector<Vector3> Centroids;
   std::vector<Vector3> AreaVectors;
-  std::vector<Vector3> Means;  // of the patch of each triangle
-  std::vector<double> Spreads; // of the patch of each triangle
-  std::vector<Index> Best;     // whose patch gives the normal of each triangle
+  std::vector<Vector3> Means;         // of the patch of each triangle
+  std::vector<double> Spreads;        // of the patch of each triangle
+  std::vector<Index> FlattestPatches; // whose patch gives the normal of each triangle
 };
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a SmoothingGraph does at sharp edges.
+// The part of SmoothingGraph for sharp edges.
 #include "SmoothingGraph.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::array<Index, 2> CommonEdge(const Surface& surface, const std::array<Index, 
   return ends;
 }
 
-/// The normal of a plane where positions are in units.
+/// The normal of a plane after its positions were converted to units.
 Vector3 NormalInUnits(const Vector3& normal, const Eigen::Matrix3d& toUnits)
 {
   const Vector3 turned = toUnits.inverse().transpose() * normal;
@@ -61,7 +61,7 @@ std::size_t SmoothingGraph::Find(Index point, Index neighbor) const
 void SmoothingGraph::MarkSharp(const Surface& surface, const std::vector<char>& isSharp)
 {
   this->SharpStarts.assign(this->Kinds.size(), None);
-  this->NearSharp.assign(this->Kinds.size(), 0);
+  this->NearSharpFlags.assign(this->Kinds.size(), 0);
   for (std::size_t e = 0; e < isSharp.size(); ++e)
   {
     if (isSharp[e] != 0)
@@ -77,8 +77,8 @@ void SmoothingGraph::MarkSharp(const Surface& surface, const std::vector<char>& 
     {
       this->SharpStarts[p] = static_cast<Index>(size);
       size += this->Starts[p + 1] - this->Starts[p];
-      this->NearSharp[p] = 1;
-      this->VisitNeighbors(static_cast<Index>(p), [this](Index q) { this->NearSharp[q] = 1; });
+      this->NearSharpFlags[p] = 1;
+      this->VisitNeighbors(static_cast<Index>(p), [this](Index q) { this->NearSharpFlags[q] = 1; });
     }
   }
   this->Projections.assign(size, Eigen::Matrix3d::Zero());
@@ -115,7 +115,8 @@ void SmoothingGraph::AddProjections(
 }
 
 //------------------------------------------------------------------------------
-/// Where two sharp edges meet: they are smoothed along themselves.
+/// Counts whole differences along sharp edges at points with two of them, so that the edges are
+/// smoothed along themselves.
 void SmoothingGraph::CountWholeAlong(const Surface& surface, const std::vector<char>& isSharp)
 {
   std::vector<std::array<Index, 2>> alongs;

@@ -16,9 +16,9 @@ namespace bonedecimate
 {
 namespace
 {
-/// Fraction of the radius that is used: rounding to the precision of the output needs the rest.
+/// Fraction of the radius for the solver; rounding to the precision of the output needs the rest.
 constexpr double RadiusOfSolver = 0.999;
-/// Radii are halved that often, then set to 0.
+/// Number of times that a radius is halved before it is set to 0.
 constexpr int MaxHalvings = 6;
 /// Rings of points around an intersection that are solved again.
 constexpr int RingsAround = 4;
@@ -30,7 +30,7 @@ constexpr double SolvedAt = 0.8;
 /// In median edge lengths: about two voxels for marching cubes of a binary volume.
 constexpr double ScaleOfSharpEdges = 2.3;
 
-/// mm: the least limit of a point and of its neighbors, and the radius.
+/// mm, for each point the least of the radius, its limit and those of its neighbors.
 std::vector<double> RadiiOf(
   const SmoothingInput& input, const SmoothingGraph& graph, const SmoothingSettings& settings)
 {
@@ -58,7 +58,7 @@ std::vector<double> Scaled(std::vector<double> radii, double factor)
   return radii;
 }
 
-/// Lengths of edges are measured in the units in which displacements are.
+/// From millimeters to the units of displacements, in which edges are measured.
 Eigen::Matrix3d ToUnits(const SmoothingInput& input, const SmoothingSettings& settings)
 {
   if (!settings.InVoxels || input.Source == nullptr)
@@ -85,46 +85,47 @@ public:
         settings.Threads)
     , Solver(this->Graph, this->Sets, this->Points, settings.Threads)
     , Displacements(this->Points.size(), Vector3::Zero())
-    , Moved(this->Points)
+    , MovedPoints(this->Points)
   {
   }
 
   /// False after an abort.
   bool Run(const Monitor& monitor)
   {
-    bool goesOn = true;
+    bool shouldContinue = true;
     const Monitor watched = [&](double done)
     {
-      goesOn = goesOn && (!monitor || monitor(done));
-      return goesOn;
+      shouldContinue = shouldContinue && (!monitor || monitor(done));
+      return shouldContinue;
     };
     watched(GraphAt);
     this->Strength = this->Settings.Strength;
     bool isNear = false;
-    if (goesOn && this->Strength == 0.0)
+    if (shouldContinue && this->Strength == 0.0)
     {
       this->Strength = this->AutomaticStrength(PartOf(watched, GraphAt, StrengthAt));
       isNear = this->HasGridPoints();
     }
-    goesOn = goesOn && this->Solve(isNear, PartOf(watched, StrengthAt, SolvedOnceAt));
-    if (goesOn && this->FindSharp())
+    shouldContinue =
+      shouldContinue && this->Solve(isNear, PartOf(watched, StrengthAt, SolvedOnceAt));
+    if (shouldContinue && this->FindSharp())
     {
-      goesOn = this->Solve(false, PartOf(watched, SolvedOnceAt, SolvedAt));
+      shouldContinue = this->Solve(false, PartOf(watched, SolvedOnceAt, SolvedAt));
     }
-    if (goesOn)
+    if (shouldContinue)
     {
       ForEachId(this->Points.size(), this->Settings.Threads,
         [&](std::size_t p) { this->MovePoint(static_cast<Index>(p)); });
-      this->RemoveCrossings(PartOf(watched, SolvedAt, 1.0), goesOn);
+      this->RemoveCrossings(PartOf(watched, SolvedAt, 1.0), shouldContinue);
     }
-    return goesOn;
+    return shouldContinue;
   }
 
   SmoothedSurface Take()
   {
     SmoothedSurface smoothed;
     smoothed.Figures = CompareSmoothed(
-      this->Input.Surface, this->Moved, this->Graph.SmoothEdges(), this->Settings.Threads);
+      this->Input.Surface, this->MovedPoints, this->Graph.SmoothEdges(), this->Settings.Threads);
     smoothed.Figures.Bound = this->Settings.Radius;
     smoothed.Figures.IsInVoxels = this->Settings.InVoxels;
     smoothed.Figures.Strength = this->Strength;
@@ -132,7 +133,7 @@ public:
     smoothed.Figures.LimitedPoints =
       std::count_if(this->Halvings.begin(), this->Halvings.end(), [](int n) { return n > 0; });
     smoothed.Figures.Rounds = this->Rounds;
-    smoothed.Points = std::move(this->Moved);
+    smoothed.Points = std::move(this->MovedPoints);
     return smoothed;
   }
 
@@ -142,7 +143,7 @@ private:
     return this->Input.Source != nullptr && !this->Input.Source->OfPoint.empty();
   }
 
-  /// With grid points the displacements are then near the minimum.
+  /// With grid points, leaves the displacements near the minimum.
   double AutomaticStrength(const Monitor& monitor)
   {
     if (!this->HasGridPoints())
@@ -192,35 +193,35 @@ private:
     return this->Settings.Rounding.OfLocal(position, this->Settings.Origin);
   }
 
-  /// Puts a point where its displacement leads, rounded, and within its bound.
+  /// Moves a point by its displacement, rounded and within its bound.
   void MovePoint(Index point)
   {
     constexpr int mostHalvings = 8;
     const Vector3& from = this->Points[point];
     Vector3 displacement = this->Sets.ToMillimeters(this->Displacements[point]);
-    this->Moved[point] = from;
+    this->MovedPoints[point] = from;
     for (int i = 0; i < mostHalvings && displacement != Vector3::Zero(); ++i)
     {
       const Vector3 to = this->Rounded(from + displacement);
       const Vector3 moved = to - from;
       if (moved.norm() <= this->Radii[point] && this->Sets.KeepsToOctahedron(point, moved))
       {
-        this->Moved[point] = to;
+        this->MovedPoints[point] = to;
         return;
       }
       displacement *= 0.5;
     }
   }
 
-  void RemoveCrossings(const Monitor& monitor, const bool& goesOn)
+  void RemoveCrossings(const Monitor& monitor, const bool& shouldContinue)
   {
-    // In octahedra every voxel keeps its label, so nothing can pass through a wall.
+    // In octahedra every voxel keeps its label, so nothing passes through a wall.
     NewCrossings crossings(this->Input.Surface,
       this->HasGridPoints() ? NewCrossings::Times::End : NewCrossings::Times::All,
       this->Settings.Threads);
     std::vector<char> isMoved(this->Input.Surface.Triangles.size(), 1);
-    std::vector<Index> found = crossings.Find(this->Moved, isMoved, monitor);
-    while (goesOn && !found.empty())
+    std::vector<Index> found = crossings.Find(this->MovedPoints, isMoved, monitor);
+    while (shouldContinue && !found.empty())
     {
       ++this->Rounds;
       const std::vector<Index> around = this->LowerRadii(found);
@@ -230,7 +231,8 @@ private:
         this->MovePoint(point);
       }
       this->MarkTriangles(around, isMoved);
-      found = crossings.Find(this->Moved, isMoved, [&monitor](double) { return monitor(1.0); });
+      found =
+        crossings.Find(this->MovedPoints, isMoved, [&monitor](double) { return monitor(1.0); });
     }
   }
 
@@ -292,7 +294,7 @@ private:
   DisplacementSets Sets;
   BoundedSolver Solver;
   std::vector<Vector3> Displacements; // in units of the sets
-  std::vector<Vector3> Moved;         // mm
+  std::vector<Vector3> MovedPoints;   // mm
   std::vector<int> Halvings;          // of each point; empty: none
   double Strength = 0.0;
   int Rounds = 0;

@@ -12,8 +12,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Edges shorter than this fraction of the median count like edges of that length:
-/// needles would dominate their rows.
+/// Shorter edges than this fraction of the median count as this long: needles would dominate their
+/// rows.
 constexpr double ShortestEdge = 0.6;
 constexpr double FactorOfWalls = 0.1; // at a junction
 
@@ -38,7 +38,7 @@ SmoothingGraph::SmoothingGraph(const Surface& surface, const std::vector<Boundar
 }
 
 //------------------------------------------------------------------------------
-/// The triangles at each point, twice each: with both of their other corners.
+/// Lists the triangles at each point twice, with both of their other corners.
 void SmoothingGraph::FindNeighbors(
   const Surface& surface, const std::vector<BoundaryLabels>& labels)
 {
@@ -124,12 +124,12 @@ void SmoothingGraph::WeighEdges(const std::vector<Vector3>& points, const Eigen:
   std::vector<double> lengths = this->Weights; // every edge twice
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
-  this->Median = lengths.empty() ? 0.0 : *middle;
-  const double shortest = ShortestEdge * this->Median;
+  this->MedianEdgeLength = lengths.empty() ? 0.0 : *middle;
+  const double shortest = ShortestEdge * this->MedianEdgeLength;
   ForEachId(this->Weights.size(), this->Threads,
     [&](std::size_t k)
     {
-      // As a ratio to the shortest: free of units.
+      // A ratio, so that weights do not depend on the units.
       const double ratio = shortest > 0.0 ? shortest / std::max(this->Weights[k], shortest) : 1.0;
       this->Weights[k] = ratio * ratio;
     });

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SmoothingGraph.h
- * @brief The Laplacian L of a surface as a sparse matrix: what a point differs from the
+ * @brief The Laplacian L of a surface as a sparse matrix: the difference between a point and the
  * weighted mean of its neighbors.
  *
  *     (L x)_i = x_i - sum_j a_ij x_j      a_ij = w_ij m_i / sum of them over j: rows have the sum 0
@@ -12,15 +12,15 @@
  *               boundary point:  0 along edges that are not of the boundary or of a junction
  *               junction point:  0.1 along edges that are not of the junction
  *
- * A point on a sharp edge (SharpEdges.h) counts of each difference the parts along the normals of
- * the triangles at that edge, so that it lies on the surfaces on both sides; along the sharp edge
- * it counts the whole if it is not a corner:
+ * The row of a point on a sharp edge (SharpEdges.h) counts only the components of each difference
+ * along the normals of the triangles at that edge, so that the point lies on the surfaces on both
+ * sides. Along the sharp edge it counts the whole difference, unless the point is a corner:
  *
  *     (L x)_i = sum_j a_ij N_ij (x_i - x_j)      N_ij = mean of n n^T
  *
  * An edge of one triangle is a boundary edge. An edge of three or more triangles, or of two with
  * different labels, is a junction edge. So boundaries and junction curves are smoothed along
- * themselves. With the factor 0 at junctions, walls intersect each other there.
+ * themselves. With the factor 0 at junctions, walls would intersect each other there.
  */
 #ifndef BoneDecimate_Core_Smoothing_SmoothingGraph_h
 #define BoneDecimate_Core_Smoothing_SmoothingGraph_h
@@ -45,15 +45,16 @@ class SmoothingGraph
 {
 public:
   /// @param surface Its corners must be valid and different. Points without triangles have no
-  /// neighbors.
-  /// @param labels For each triangle; empty: none.  @param toUnits From millimeters.
+  ///   neighbors.
+  /// @param labels For each triangle; empty: none.
+  /// @param toUnits From millimeters.
   SmoothingGraph(const Surface& surface, const std::vector<BoundaryLabels>& labels,
     const Eigen::Matrix3d& toUnits, int threads);
 
   Index NumberOfPoints() const { return static_cast<Index>(this->Kinds.size()); }
   CurveKind Kind(Index point) const { return this->Kinds[point]; }
 
-  /// The neighbors in ascending order, those too that the row does not count.
+  /// Visits all neighbors in ascending order, including those with weight 0.
   template <typename Visit>
   void VisitNeighbors(Index point, const Visit& visit) const
   {
@@ -76,9 +77,10 @@ public:
     return this->IsNearSharp(point) ? this->TransposedRowNearSharp(point, z)
                                     : this->Apply(this->TransposedWeights, point, z);
   }
-  /// Row `point` of L x in units by differences of neighbors: without cancellation far from the
-  /// origin.
-  /// @param x mm  @param toUnits Converts a displacement.
+  /// Row `point` of L x in units, computed from differences of neighbors, without cancellation far
+  /// from the origin.
+  /// @param x mm.
+  /// @param toUnits Converts a displacement.
   template <typename ToUnits>
   Vector3 RowOfPositions(Index point, const std::vector<Vector3>& x, const ToUnits& toUnits) const
   {
@@ -94,14 +96,14 @@ public:
     return toUnits(sum);
   }
 
-  /// From now on the rows of points on sharp edges are those of sharp edges.
-  /// @param sharp The result of SmoothEdges() and the triangles of the surface.
-  /// @param toUnits From millimeters, to the axes of the displacements.
+  /// Replaces the rows of points on sharp edges by those of sharp edges.
+  /// @param sharp Found for SmoothEdges() and the triangles of the surface.
+  /// @param toUnits From millimeters to the axes of the displacements.
   void KeepSharp(const Surface& surface, const SharpEdges& sharp, const Eigen::Matrix3d& toUnits);
   std::int64_t NumberOfSharpPoints() const;
 
   /// Median length of the edges, in units.
-  double MedianLength() const { return this->Median; }
+  double MedianLength() const { return this->MedianEdgeLength; }
 
   /// An upper bound of row `point` of the absolute values of L^T L: twice the absolute sum of a
   /// column of L.
@@ -129,7 +131,7 @@ private:
   }
   bool IsNearSharp(Index point) const
   {
-    return !this->NearSharp.empty() && this->NearSharp[point] != 0;
+    return !this->NearSharpFlags.empty() && this->NearSharpFlags[point] != 0;
   }
   void MarkSharp(const Surface& surface, const std::vector<char>& isSharp);
   void AddProjections(
@@ -163,17 +165,17 @@ private:
 
   int Threads;
   std::vector<CurveKind> Kinds;
-  std::vector<char> HasRow;              // of each point; 0: it has no neighbors that count
+  std::vector<char> HasRow;              // of each point; 0: all weights are 0
   std::vector<std::size_t> Starts;       // of each point in the lists below, and the end
   std::vector<Index> Neighbors;          // ascending
-  std::vector<CurveKind> EdgeKinds;      // only while it is built
+  std::vector<CurveKind> EdgeKinds;      // only during construction
   std::vector<double> Weights;           // a_ij
   std::vector<double> TransposedWeights; // a_ji
   std::vector<std::array<Index, 2>> TrianglesOfEdges;
-  double Median = 0.0;
+  double MedianEdgeLength = 0.0;
   // Empty without sharp edges.
-  std::vector<Index> SharpStarts; // of each point in Projections; None: not on a sharp edge
-  std::vector<char> NearSharp;    // of each point: it or a neighbor is on one
+  std::vector<Index> SharpStarts;   // of each point in Projections; None: not on a sharp edge
+  std::vector<char> NearSharpFlags; // of each point: it or a neighbor is on one
   std::vector<Eigen::Matrix3d> Projections; // N of each neighbor of each point on a sharp edge
 };
 }

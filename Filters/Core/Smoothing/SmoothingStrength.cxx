@@ -11,12 +11,12 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double Target = 0.7;
-constexpr double Accuracy = 0.04;
+constexpr double TargetRatio = 0.7;
+constexpr double RelativeAccuracy = 0.04;
 constexpr double FirstStrength = 5.0;
 constexpr int MaxSolves = 3;
 constexpr int IterationsOfSolve = 10;
-/// The exponent by which the displacement grows with lambda: at first, and its range.
+/// Exponent of the displacement as a power of lambda: the initial value and the least.
 constexpr double FirstExponent = 0.35;
 constexpr double MinExponent = 0.1;
 constexpr double MinChange = 1.001;
@@ -37,7 +37,7 @@ double Logarithm(double x)
   return exponent * logarithmOf2 + logarithmOf3Quarters + 2.0 * t * sum;
 }
 
-/// The same of the exponential function.
+/// The exponential function, also the same bits everywhere.
 double Exponential(double x)
 {
   constexpr int halvings = 10;
@@ -52,19 +52,6 @@ double Exponential(double x)
     sum *= sum;
   }
   return sum;
-}
-
-std::vector<Vector3> AreaNormals(const std::vector<Vector3>& points, const Surface& surface)
-{
-  std::vector<Vector3> normals(points.size(), Vector3::Zero());
-  for (const Triangle& c : surface.Triangles)
-  {
-    const Vector3 area = (points[c[1]] - points[c[0]]).cross(points[c[2]] - points[c[0]]);
-    normals[c[0]] += area;
-    normals[c[1]] += area;
-    normals[c[2]] += area;
-  }
-  return normals;
 }
 
 int OddAxisOfEdge(const GridPoint& point) // -1: not on a grid edge
@@ -93,14 +80,15 @@ struct Squares
   }
 };
 
-/// RMS of the displacement along the normal as a ratio to that of the rounding; 0 if nothing tells.
+/// RMS of the displacement along the normal, divided by that of the rounding; 0 if there is no
+/// point to measure.
 double RatioToRounding(const StrengthProblem& problem, const std::vector<Vector3>& displacements)
 {
   const std::vector<Vector3>& points = problem.Surface.Points;
   std::vector<Vector3> moved(points.size());
   ForEachId(points.size(), problem.Threads,
     [&](std::size_t p) { moved[p] = points[p] + problem.Sets.ToMillimeters(displacements[p]); });
-  const std::vector<Vector3> normals = AreaNormals(moved, problem.Surface);
+  const std::vector<Vector3> normals = AreaNormals(moved, problem.Surface.Triangles);
   const VoxelGrid& grid = problem.Source.Grid;
   const Squares sum = SumOverBlocks(points.size(), problem.Threads,
     [&](std::size_t first, std::size_t last)
@@ -168,11 +156,11 @@ double ChooseStrength(const StrengthProblem& problem, BoundedSolver& solver, con
     {
       return DefaultStrength;
     }
-    isGood = std::abs(ratio / Target - 1.0) < Accuracy;
+    isGood = std::abs(ratio / TargetRatio - 1.0) < RelativeAccuracy;
     if (!isGood)
     {
       trials.push_back({ Logarithm(strength), Logarithm(ratio) });
-      const double step = (Logarithm(Target) - trials.back().LogRatio) / ExponentOf(trials);
+      const double step = (Logarithm(TargetRatio) - trials.back().LogRatio) / ExponentOf(trials);
       const double most = Logarithm(MaxStrength / MinStrength);
       strength =
         std::clamp(strength * Exponential(std::clamp(step, -most, most)), MinStrength, MaxStrength);

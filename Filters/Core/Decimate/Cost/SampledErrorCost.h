@@ -124,7 +124,7 @@ class ErrorPenalty
 {
 public:
   /// @param unit The unit of the mesh, mm.
-  ErrorPenalty(double unit, const Samples::Usual& usual)
+  ErrorPenalty(double unit, const Samples::Averages& usual)
     : Near(unit)
     , Far(Beyond(FarOfSamples, unit, usual))
     , FarVertex(Beyond(FarOfVertices, unit, usual))
@@ -160,7 +160,7 @@ private:
   static constexpr double FarOfSamples = 8.0;
   static constexpr double FarOfVertices = 5.0;
 
-  static FarPenalty Beyond(double times, double unit, const Samples::Usual& usual)
+  static FarPenalty Beyond(double times, double unit, const Samples::Averages& usual)
   {
     const double limit = times * usual.Distance;
     return { limit, usual.FaceArea * ThreeHalves(unit).Of(limit * limit) };

@@ -55,7 +55,7 @@ Draft::Draft(Editor& editor, int threads)
   editor.Total.Draft.Status = DraftStatus::Used;
   if (editor.Guard)
   {
-    this->State.emplace(editor.Guard->CheckOf(*this->Journal));
+    this->State.emplace(editor.Guard->MakeStateCheck(*this->Journal));
     this->Enclosing =
       this->FindEnclosing(this->IsOriginal ? &editor.Source.BoundedTree(threads) : nullptr);
   }
@@ -70,8 +70,8 @@ ErrorLimits Draft::LimitsAtFirst() const
   ErrorLimits limits = this->Target.BoundFilter->Limits();
   if (this->Target.Guard)
   {
-    limits.Reduce(Separations(this->Target.Source.BoundedMesh(), ErrorsOfSeparation * limits.Most(),
-                    this->Threads),
+    limits.Reduce(FindSeparations(this->Target.Source.BoundedMesh(),
+                    ErrorsOfSeparation * limits.Max(), this->Threads),
       this->IsOriginal ? LessThanHalf : 0.0);
   }
   return limits;
@@ -138,7 +138,7 @@ std::vector<Index> Draft::FindRejectedEdits(BulkProof& proof)
   std::vector<Index> edits = proof.FindFailures(this->Target.Source.CurrentOfInitial());
   if (edits.empty() && this->State)
   {
-    edits = this->State->FindRejected(this->Threads);
+    edits = this->State->FindEditsToUndo(this->Threads);
   }
   if (edits.empty())
   {
@@ -213,7 +213,7 @@ void Draft::UndoRejected(const std::vector<Index>& edits)
       Index last = None;
       for (Index i = 0; i < entry.NumberOfFaces; ++i)
       {
-        last = std::max(last, journal.LastOfFace(journal.OldFace(edit, i).Face));
+        last = std::max(last, journal.LastEditOf(journal.OldFace(edit, i).Face));
       }
       if (last != None)
       {

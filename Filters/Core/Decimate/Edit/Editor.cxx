@@ -87,7 +87,7 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   const bool voxelsFirst = this->GuardsVoxels &&
     (!settings.Bound ||
       VoxelGuard::ChecksBeforeBound(settings.Voxels->Grid, settings.Bound->Error));
-  const CleanSurface& clean = this->Source.AtFirst();
+  const CleanSurface& clean = this->Source.CleanInput();
   this->Fragments = std::make_shared<FragmentGuard>(
     this->Half, clean.Surface, clean.ManifoldPatches.OriginalVertices);
   this->Filters.push_back(this->Fragments);
@@ -148,7 +148,7 @@ void Editor::AddRecorder()
 //------------------------------------------------------------------------------
 void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor& monitor)
 {
-  this->Guard = WithJoined(this->Source.AtFirst(),
+  this->Guard = WithJoined(this->Source.CleanInput(),
     [&](const Surface& joined)
     {
       Surface smoothed;
@@ -161,8 +161,9 @@ void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor&
         }
       }
       return std::make_shared<IntersectionGuard>(this->Half,
-        this->Source.IsSmoothed() ? smoothed : joined, WrittenBy(settings, this->Source.AtFirst()),
-        settings.Bound->Error, settings.GuardsGaps, settings.Threads, monitor);
+        this->Source.IsSmoothed() ? smoothed : joined,
+        WrittenBy(settings, this->Source.CleanInput()), settings.Bound->Error, settings.GuardsGaps,
+        settings.Threads, monitor);
     });
   this->Filters.push_back(this->Guard);
 }

@@ -198,7 +198,7 @@ void Editor::Undo(EditJournal& journal, Index edit)
   {
     const FaceVersion& face = journal.OldFace(edit, i);
     this->Half.RestoreCorners(face.Face, journal.VerticesOf(face));
-    if (face.Made == None && !journal.HadFirstNormal(face.Face))
+    if (face.MadeBy == None && !journal.HadFirstNormal(face.Face))
     {
       this->Half.ForgetFirstNormal(face.Face);
     }

@@ -21,7 +21,7 @@
 
 #include "Decimate/Edit/Editor.h"
 #include "FaceError.h"
-#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 
 #include <array>
@@ -35,13 +35,13 @@ public:
   /// @param faceErrors For each face, squares of the mesh's unit, negative where unknown; common to
   ///   all workers.
   /// @param range What may be changed.
-  EdgeFlipper(Editor& editor, Samples& samples, const BackHints& hints,
+  EdgeFlipper(Editor& editor, Samples& samples, const OriginalHints& hints,
     std::vector<float>& faceErrors, VertexRange range, int workers)
     : MeshEditor(editor)
     , Fit(samples)
     , Back(hints)
     , FaceErrors(faceErrors)
-    , Weigh(editor.Mesh().Unit(), samples.Spread())
+    , Weigh(editor.Mesh().Unit(), samples.MeanValues())
   {
     this->Space.Change.Range = range;
     this->Space.Change.Workers = workers;
@@ -68,7 +68,7 @@ private:
   Editor& MeshEditor;
   Workspace Space;
   Samples& Fit;
-  const BackHints& Back;
+  const OriginalHints& Back;
   std::vector<float>& FaceErrors;
   ErrorPenalty Weigh;
 };

@@ -21,7 +21,7 @@ constexpr std::size_t MinForBlocks = 1024;
 }
 
 ErrorCollapse::ErrorCollapse(
-  Editor& editor, Samples& samples, BackHints& hints, int edgesOfCollapse, int threads)
+  Editor& editor, Samples& samples, OriginalHints& hints, int edgesOfCollapse, int threads)
   : MeshEditor(editor)
   , Fit(samples)
   , Back(hints)

@@ -30,7 +30,7 @@ public:
   /// @param editor Must keep quadrics, and they must be right.
   /// @param edgesOfCollapse Number of edges first evaluated for each remaining collapse.
   ErrorCollapse(
-    Editor& editor, Samples& samples, BackHints& hints, int edgesOfCollapse, int threads);
+    Editor& editor, Samples& samples, OriginalHints& hints, int edgesOfCollapse, int threads);
 
   /// Down to that many faces, or until no edge may be collapsed. False if the monitor requests a
   /// stop.
@@ -47,7 +47,7 @@ private:
 
   Editor& MeshEditor;
   Samples& Fit;
-  BackHints& Back;
+  OriginalHints& Back;
   SampledErrors Errors;
   std::size_t EdgesOfCollapse;
   int Threads;

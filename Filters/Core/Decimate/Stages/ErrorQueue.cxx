@@ -6,8 +6,8 @@
 
 namespace bonedecimate
 {
-ErrorQueue::ErrorQueue(Editor& editor, Samples& samples, BackHints& hints, SampledErrors& errors,
-  const ErrorBlock& block)
+ErrorQueue::ErrorQueue(Editor& editor, Samples& samples, OriginalHints& hints,
+  SampledErrors& errors, const ErrorBlock& block)
   : MeshEditor(editor)
   , Fit(samples)
   , Back(hints)

@@ -59,7 +59,7 @@ struct ErrorBlock
 class ErrorQueue
 {
 public:
-  ErrorQueue(Editor& editor, Samples& samples, BackHints& hints, SampledErrors& errors,
+  ErrorQueue(Editor& editor, Samples& samples, OriginalHints& hints, SampledErrors& errors,
     const ErrorBlock& block);
 
   /// False if the edge may not be collapsed.
@@ -83,7 +83,7 @@ private:
 
   Editor& MeshEditor;
   Samples& Fit;
-  BackHints& Back;
+  OriginalHints& Back;
   SampledErrors& Errors;
   ErrorBlock Block;
   FanFit Costs;

@@ -18,7 +18,7 @@
 #include "Decimate/Edit/Editor.h"
 #include "FaceError.h"
 #include "FitStep.h"
-#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 
 #include <vector>
@@ -28,11 +28,11 @@ namespace bonedecimate
 class FanFit
 {
 public:
-  FanFit(const HalfEdgeMesh& mesh, const Samples& samples, const BackHints& hints)
+  FanFit(const HalfEdgeMesh& mesh, const Samples& samples, const OriginalHints& hints)
     : Mesh(mesh)
     , Fit(samples)
     , Back(hints)
-    , Weigh(mesh.Unit(), samples.Spread())
+    , Weigh(mesh.Unit(), samples.MeanValues())
   {
   }
 
@@ -65,7 +65,7 @@ private:
 
   const HalfEdgeMesh& Mesh;
   const Samples& Fit;
-  const BackHints& Back;
+  const OriginalHints& Back;
   ErrorPenalty Weigh;
   std::vector<Member> Gathered;
   std::vector<TriangleFrame> Frames;

@@ -10,7 +10,7 @@
 namespace bonedecimate
 {
 ForcedCollapse::ForcedCollapse(
-  Editor& editor, Samples& samples, BackHints& hints, ForcedReach reach, int threads)
+  Editor& editor, Samples& samples, OriginalHints& hints, ForcedReach reach, int threads)
   : MeshEditor(editor)
   , Fit(samples)
   , Back(hints)

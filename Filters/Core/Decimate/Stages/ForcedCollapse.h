@@ -37,7 +37,7 @@ class ForcedCollapse
 public:
   /// @param editor Must keep quadrics, and they must be right.
   ForcedCollapse(
-    Editor& editor, Samples& samples, BackHints& hints, ForcedReach reach, int threads);
+    Editor& editor, Samples& samples, OriginalHints& hints, ForcedReach reach, int threads);
 
   /// Down to that many faces at most. False if the monitor requests a stop.
   bool Run(Index faces, const Monitor& monitor);
@@ -58,7 +58,7 @@ private:
 
   Editor& MeshEditor;
   Samples& Fit;
-  BackHints& Back;
+  OriginalHints& Back;
   SlackCandidates Candidates;
   ForcedReach Reach;
   int Threads;

@@ -22,7 +22,8 @@ constexpr double MinGainOfSweep = 0.002;
 constexpr double MaxHope = 1.2;
 }
 
-PatchFit::PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints, int rings)
+PatchFit::PatchFit(
+  const Editor& editor, const Samples& samples, const OriginalHints& hints, int rings)
   : Rings(rings)
   , Mesh(editor.Mesh())
   , Back(hints)

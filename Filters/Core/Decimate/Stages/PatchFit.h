@@ -33,7 +33,7 @@ class PatchFit
 {
 public:
   /// @param rings How many rings of vertices around the collapse that may move.
-  PatchFit(const Editor& editor, const Samples& samples, const BackHints& hints, int rings);
+  PatchFit(const Editor& editor, const Samples& samples, const OriginalHints& hints, int rings);
 
   /// What the edit is, and what to record of it.
   struct Result
@@ -109,7 +109,7 @@ private:
 
   int Rings;
   const HalfEdgeMesh& Mesh;
-  const BackHints& Back;
+  const OriginalHints& Back;
   SlackFit Slack;
   std::vector<Vertex> Vertices; // the merged one first
   std::vector<Face> Faces;

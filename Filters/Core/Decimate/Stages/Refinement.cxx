@@ -34,7 +34,7 @@ Refinement::Refinement(
 bool Refinement::Begin(const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  this->IsSettled = this->Back.Begin(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
+  this->IsSettled = this->Back.Restart(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
     this->Fit.Distribute(mesh, this->MeshEditor.Original().CurrentOfInitial(), this->Threads,
       PartOf(monitor, 0.1, 1.0));
   return this->IsSettled;

@@ -16,7 +16,7 @@
 #define BoneDecimate_Core_Decimate_Stages_Refinement_h
 
 #include "Decimate/Edit/Editor.h"
-#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 
 namespace bonedecimate
@@ -44,7 +44,7 @@ private:
 
   Editor& MeshEditor;
   Samples Fit;
-  BackHints Back;
+  OriginalHints Back;
   int Threads;
   bool IsSettled = false; // whether no vertex has moved since the samples were
 };

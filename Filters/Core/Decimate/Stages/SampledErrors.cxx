@@ -7,11 +7,11 @@
 namespace bonedecimate
 {
 SampledErrors::SampledErrors(
-  const HalfEdgeMesh& mesh, const Samples& samples, const BackHints& hints)
+  const HalfEdgeMesh& mesh, const Samples& samples, const OriginalHints& hints)
   : Mesh(mesh)
   , Fit(samples)
   , Back(hints)
-  , Weigh(mesh.Unit(), samples.Spread())
+  , Weigh(mesh.Unit(), samples.MeanValues())
   , Faces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), 0.0F)
   , Vertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0.0F)
   , Stamps(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0)

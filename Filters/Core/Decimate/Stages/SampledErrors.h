@@ -11,7 +11,7 @@
 #include "Base/Monitor.h"
 #include "FaceError.h"
 #include "Mesh/EdgeNeighborhood.h"
-#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 
 #include <vector>
@@ -21,7 +21,7 @@ namespace bonedecimate
 class SampledErrors
 {
 public:
-  SampledErrors(const HalfEdgeMesh& mesh, const Samples& samples, const BackHints& hints);
+  SampledErrors(const HalfEdgeMesh& mesh, const Samples& samples, const OriginalHints& hints);
 
   /// All of them. False if the monitor said stop.
   bool MeasureAll(int threads, const Monitor& monitor);
@@ -45,7 +45,7 @@ private:
 
   const HalfEdgeMesh& Mesh;
   const Samples& Fit;
-  const BackHints& Back;
+  const OriginalHints& Back;
   ErrorPenalty Weigh;
   std::vector<float> Faces;          // error of each, squares of the mesh's unit
   std::vector<float> Vertices;       // the same

@@ -23,7 +23,7 @@ constexpr double FarthestOfSamples = 1.02;
 }
 
 SlackCandidates::SlackCandidates(const Editor& editor, const Samples& samples,
-  const BackHints& hints, double farthest, int threads)
+  const OriginalHints& hints, double farthest, int threads)
   : MeshEditor(editor)
   , Fit(samples)
   , Back(hints)

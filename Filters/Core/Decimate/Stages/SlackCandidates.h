@@ -44,7 +44,7 @@ class SlackCandidates
 public:
   /// @param editor Must keep quadrics, and they must be right.
   /// @param farthest The largest ratio of a candidate.
-  SlackCandidates(const Editor& editor, const Samples& samples, const BackHints& hints,
+  SlackCandidates(const Editor& editor, const Samples& samples, const OriginalHints& hints,
     double farthest, int threads);
 
   /// Edges near changes since the last call; at first all. False if the monitor requests a stop.
@@ -72,7 +72,7 @@ private:
 
   const Editor& MeshEditor;
   const Samples& Fit;
-  const BackHints& Back;
+  const OriginalHints& Back;
   double Farthest;
   int Threads;
   std::vector<char> Changed; // of each vertex, since its edges were evaluated

@@ -7,7 +7,7 @@
 
 namespace bonedecimate
 {
-SlackCollapse::SlackCollapse(Editor& editor, Samples& samples, BackHints& hints, int threads)
+SlackCollapse::SlackCollapse(Editor& editor, Samples& samples, OriginalHints& hints, int threads)
   : MeshEditor(editor)
   , Fit(samples)
   , Back(hints)

@@ -28,7 +28,7 @@ class SlackCollapse
 {
 public:
   /// @param editor Must keep quadrics, and they must be right.
-  SlackCollapse(Editor& editor, Samples& samples, BackHints& hints, int threads);
+  SlackCollapse(Editor& editor, Samples& samples, OriginalHints& hints, int threads);
 
   /// Down to that many faces at most. False if the monitor requests a stop.
   bool Run(Index faces, const Monitor& monitor);
@@ -39,7 +39,7 @@ private:
 
   Editor& MeshEditor;
   Samples& Fit;
-  BackHints& Back;
+  OriginalHints& Back;
   SlackCandidates Candidates;
   SlackFit Slack;
   Workspace Space;

@@ -40,7 +40,7 @@ double SixteenthPower(double ratio)
 }
 }
 
-SlackFit::SlackFit(const Editor& editor, const Samples& samples, const BackHints& hints)
+SlackFit::SlackFit(const Editor& editor, const Samples& samples, const OriginalHints& hints)
   : MeshEditor(editor)
   , Fit(samples)
   , Back(hints)

@@ -21,7 +21,7 @@
 #define BoneDecimate_Core_Decimate_Stages_SlackFit_h
 
 #include "Decimate/Edit/Editor.h"
-#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 
 #include <limits>
@@ -32,7 +32,7 @@ namespace bonedecimate
 class SlackFit
 {
 public:
-  SlackFit(const Editor& editor, const Samples& samples, const BackHints& hints);
+  SlackFit(const Editor& editor, const Samples& samples, const OriginalHints& hints);
 
   struct Value
   {
@@ -115,7 +115,7 @@ private:
 
   const Editor& MeshEditor;
   const Samples& Fit;
-  const BackHints& Back;
+  const OriginalHints& Back;
   const BoundingTree& Tree; // of the original
   double Spacing;           // mm, of the points on the fan
   double Grid;              // mm

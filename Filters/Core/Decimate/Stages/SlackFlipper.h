@@ -20,7 +20,7 @@ namespace bonedecimate
 class SlackFlipper
 {
 public:
-  SlackFlipper(Editor& editor, Samples& samples, BackHints& hints)
+  SlackFlipper(Editor& editor, Samples& samples, OriginalHints& hints)
     : MeshEditor(editor)
     , Fit(samples)
     , Back(hints)
@@ -39,7 +39,7 @@ private:
 
   Editor& MeshEditor;
   Samples& Fit;
-  BackHints& Back;
+  OriginalHints& Back;
   SlackFit Slack;
   Workspace Space;
 };

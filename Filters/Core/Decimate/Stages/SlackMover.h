@@ -18,7 +18,7 @@ namespace bonedecimate
 class SlackMover
 {
 public:
-  SlackMover(Editor& editor, Samples& samples, BackHints& hints)
+  SlackMover(Editor& editor, Samples& samples, OriginalHints& hints)
     : MeshEditor(editor)
     , Fit(samples)
     , Back(hints)
@@ -49,7 +49,7 @@ private:
 
   Editor& MeshEditor;
   Samples& Fit;
-  BackHints& Back;
+  OriginalHints& Back;
   SlackFit Slack;
   std::vector<Index> Ring; // faces
 };

@@ -31,7 +31,7 @@ SlackRefinement::SlackRefinement(Editor& editor, int threads)
 bool SlackRefinement::Begin(const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  this->IsSettled = this->Back.Begin(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
+  this->IsSettled = this->Back.Restart(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
     this->Fit.Distribute(mesh, this->MeshEditor.Original().CurrentOfInitial(), this->Threads,
       PartOf(monitor, 0.1, 1.0));
   return this->IsSettled;

@@ -24,7 +24,7 @@
 
 #include "Decimate/Edit/Editor.h"
 #include "ForcedCollapse.h"
-#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 
 #include <vector>
@@ -58,7 +58,7 @@ private:
 
   Editor& MeshEditor;
   Samples Fit;
-  BackHints Back;
+  OriginalHints Back;
   int Threads;
   bool IsSettled = false; // whether no vertex has moved since the samples were
 };

@@ -18,7 +18,7 @@
 #include "Decimate/Edit/Editor.h"
 #include "FaceError.h"
 #include "FitStep.h"
-#include "Proof/Reference/BackHints.h"
+#include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 
 #include <vector>
@@ -30,11 +30,11 @@ class VertexMover
 public:
   /// @param range What may be changed.
   VertexMover(
-    Editor& editor, const Samples& samples, BackHints& hints, VertexRange range, int workers)
+    Editor& editor, const Samples& samples, OriginalHints& hints, VertexRange range, int workers)
     : MeshEditor(editor)
     , Fit(samples)
     , Back(hints)
-    , Weigh(editor.Mesh().Unit(), samples.Spread())
+    , Weigh(editor.Mesh().Unit(), samples.MeanValues())
   {
     this->Space.Change.Range = range;
     this->Space.Change.Workers = workers;
@@ -62,7 +62,7 @@ private:
   Editor& MeshEditor;
   Workspace Space;
   const Samples& Fit;
-  BackHints& Back;
+  OriginalHints& Back;
   ErrorPenalty Weigh;
   std::vector<RingFace> Ring;
   std::vector<Index> Neighbors;

@@ -28,7 +28,7 @@ class VolumeMover
 {
 public:
   /// @param samples In the faces where they belong.
-  VolumeMover(Editor& editor, Samples& samples, BackHints& hints)
+  VolumeMover(Editor& editor, Samples& samples, OriginalHints& hints)
     : MeshEditor(editor)
     , Fit(samples)
     , Mover(editor, samples, hints)

@@ -42,7 +42,7 @@ CertificateStatus Check(
 }
 
 /// mm, at each point; infinite where there is no limit. Empty without a map.
-std::vector<double> ErrorLimits(const CertificateOptions& options)
+std::vector<double> PointLimits(const CertificateOptions& options)
 {
   std::vector<double> limits = options.ToleranceMap;
   const double most = options.Tolerance.value_or(Infinity);
@@ -51,17 +51,6 @@ std::vector<double> ErrorLimits(const CertificateOptions& options)
     limit = limit >= 0.0 ? std::min(limit, most) : most;
   }
   return limits;
-}
-
-/// mm, the largest finite limit.
-double Largest(const std::vector<double>& limits)
-{
-  double largest = 0.0;
-  for (const double limit : limits)
-  {
-    largest = std::isfinite(limit) ? std::max(largest, limit) : largest;
-  }
-  return largest;
 }
 
 ProofStatus Worse(ProofStatus a, ProofStatus b)
@@ -79,21 +68,21 @@ public:
     : Reference(reference)
     , Result(result)
     , Options(options)
-    , Limit(ErrorLimits(options))
+    , Limits(PointLimits(options))
     , Progress(monitor)
   {
   }
 
   Certificate Run()
   {
-    this->Found.Status = Check(this->Reference, this->Result, this->Options);
-    if (this->Found.Status != CertificateStatus::Good)
+    this->Output.Status = Check(this->Reference, this->Result, this->Options);
+    if (this->Output.Status != CertificateStatus::Good)
     {
-      return this->Found;
+      return this->Output;
     }
     const Frame frame = FindFrame(this->Reference, this->Result);
-    this->Found.Slack = Slack(
-      std::max({ frame.Extent, this->Options.Tolerance.value_or(0.0), Largest(this->Limit) }));
+    this->Output.Slack = Slack(
+      std::max({ frame.Extent, this->Options.Tolerance.value_or(0.0), MaxFinite(this->Limits) }));
     if (!this->Options.OneSided || this->Options.WithBoundaries)
     {
       this->ReferenceSides = this->SidesOf(this->Reference);
@@ -103,17 +92,17 @@ public:
     {
       this->CertifySurfaces(frame);
     }
-    if (this->Options.WithBoundaries && this->Progress.GoesOn())
+    if (this->Options.WithBoundaries && this->Progress.ShouldContinue())
     {
       this->CertifyBoundaries(frame);
     }
     this->Progress.Finish();
-    if (!this->Progress.GoesOn())
+    if (!this->Progress.ShouldContinue())
     {
-      this->Found = Certificate();
-      this->Found.Status = CertificateStatus::Aborted;
+      this->Output = Certificate();
+      this->Output.Status = CertificateStatus::Aborted;
     }
-    return this->Found;
+    return this->Output;
   }
 
 private:
@@ -122,41 +111,44 @@ private:
     return FindEdgeSides(surface.Points, surface.Triangles, this->Options.NumberOfThreads);
   }
 
-  PairTask Task(bool ofSurfaces) const { return { this->Options, this->Found.Slack, ofSurfaces }; }
+  PairTask Task(bool areSurfaces) const
+  {
+    return { this->Options, this->Output.Slack, areSurfaces };
+  }
 
   void CertifySurfaces(const Frame& frame)
   {
     const double weight = this->Options.WithBoundaries ? 0.9 : 1.0;
     const PairCertificate pair =
       CertifyPair(WholeSurface(this->Reference, this->ReferenceSides, frame),
-        WholeSurface(this->Result, this->ResultSides, frame), this->Limit, this->Task(true),
+        WholeSurface(this->Result, this->ResultSides, frame), this->Limits, this->Task(true),
         this->Progress, weight);
-    this->Found.ReferenceToResult = pair.ReferenceToResult;
-    this->Found.ResultToReference = pair.ResultToReference;
-    this->Restore(frame, this->Found.ReferenceToResult, this->Found.ResultToReference);
-    this->Found.Proof = Worse(pair.ReferenceToResult.Proof, pair.ResultToReference.Proof);
+    this->Output.ReferenceToResult = pair.ReferenceToResult;
+    this->Output.ResultToReference = pair.ResultToReference;
+    this->Restore(frame, this->Output.ReferenceToResult, this->Output.ResultToReference);
+    this->Output.Proof = Worse(pair.ReferenceToResult.Proof, pair.ResultToReference.Proof);
   }
 
   void CertifyBoundaries(const Frame& frame)
   {
     const BoundarySet reference =
-      FindBoundarySet(this->Reference, this->ReferenceSides, frame, this->Limit);
+      FindBoundarySet(this->Reference, this->ReferenceSides, frame, this->Limits);
     const BoundarySet result = FindBoundarySet(this->Result, this->ResultSides, frame, {});
     const bool ofReference = reference.Segments.Size() > 0;
     const bool ofResult = result.Segments.Size() > 0;
-    this->Found.Boundaries = ofReference
+    this->Output.Boundaries = ofReference
       ? (ofResult ? BoundaryPresence::Both : BoundaryPresence::ReferenceOnly)
       : (ofResult ? BoundaryPresence::ResultOnly : BoundaryPresence::Neither);
     const PairCertificate pair = ofReference && ofResult
       ? CertifyPair(reference.Segments, result.Segments, reference.Limit, this->Task(false),
           this->Progress, this->Options.WithSurfaces ? 0.1 : 1.0)
       : WithoutPartner(reference, result, this->Task(false));
-    this->Found.BoundaryOfReferenceToResult = pair.ReferenceToResult;
-    this->Found.BoundaryOfResultToReference = pair.ResultToReference;
+    this->Output.BoundaryOfReferenceToResult = pair.ReferenceToResult;
+    this->Output.BoundaryOfResultToReference = pair.ResultToReference;
     this->Restore(
-      frame, this->Found.BoundaryOfReferenceToResult, this->Found.BoundaryOfResultToReference);
-    this->Found.Proof =
-      Worse(this->Found.Proof, Worse(pair.ReferenceToResult.Proof, pair.ResultToReference.Proof));
+      frame, this->Output.BoundaryOfReferenceToResult, this->Output.BoundaryOfResultToReference);
+    this->Output.Proof =
+      Worse(this->Output.Proof, Worse(pair.ReferenceToResult.Proof, pair.ResultToReference.Proof));
   }
 
   /// Converts positions from the local frame to input coordinates.
@@ -174,10 +166,10 @@ private:
   const Surface& Reference;
   const Surface& Result;
   const CertificateOptions& Options;
-  const std::vector<double> Limit; // mm, at each point of the reference; empty without a map
+  const std::vector<double> Limits; // mm, at each point of the reference; empty without a map
   Stages Progress;
   EdgeSides ReferenceSides, ResultSides;
-  Certificate Found;
+  Certificate Output;
 };
 }
 }

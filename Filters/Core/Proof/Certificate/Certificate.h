@@ -6,7 +6,7 @@
  * compared with a tolerance. Reads two surfaces and nothing else.
  *
  *     reference, result    exact local frame, nothing merged, nothing dropped
- *     boundaries           edges of one triangle, after points of equal coordinates are merged
+ *     boundaries           edges of one triangle, after merging points of equal coordinates
  *     bounds               of both directions, for surfaces and boundaries: Search.h
  *
  * Every bound is widened by its largest rounding error (Foot.h), so it holds for the surfaces as
@@ -34,8 +34,8 @@ enum class CertificateStatus : int
   /// A triangle has a point index out of range, or a point that is not finite or beyond 1e30 mm.
   BadReference,
   BadResult,
-  /// The map does not have one entry for each point of the reference, or a tolerance is infinite or
-  /// negative.
+  /// The number of entries of the map is not that of the points of the reference, or a tolerance is
+  /// infinite or negative.
   BadTolerance,
   Aborted ///< By the monitor.
 };
@@ -54,11 +54,11 @@ struct DistanceBounds
 {
   double Lower = -std::numeric_limits<double>::infinity();
   double Upper = std::numeric_limits<double>::infinity();
-  Vector3 Position = Vector3::Zero(); ///< mm, a point at which the distance is at least Lower
-  /// that contains Position; None: the set is empty, or no point of it has a limit
+  Vector3 Position = Vector3::Zero(); ///< mm, where the distance is at least Lower.
+  /// The one that contains Position. None: the set is empty, or no point of it has a limit.
   Index Triangle = None;
-  Index NearestTriangle = None; ///< of the other surface, nearest to Position
-  std::int64_t Cuts = 0;        ///< number of cuts of pieces
+  Index NearestTriangle = None; ///< The nearest one of the other surface.
+  std::int64_t Cuts = 0;        ///< Number of cuts of pieces.
 };
 
 /// Mean and root mean square of the distance over the area of one surface, mm. Errors are two
@@ -73,8 +73,8 @@ struct MeanDistance
   std::int64_t Samples = 0;
 };
 
-/// The distance of each point of one surface to the other, and the side of the other surface on
-/// which it lies; see SideFinder.h.
+/// Distance of each point of one surface to the other, and the side on which it lies
+/// (SideFinder.h).
 struct SignedDistances
 {
   std::vector<double> Distance;  ///< mm; not a number for points beyond 1e30 mm or not finite
@@ -87,8 +87,8 @@ struct DirectedCertificate
   DistanceBounds Distance;
   MeanDistance Mean;      ///< with WithMeans, and only of surfaces
   SignedDistances Points; ///< with WithPointDistances, and only of surfaces
-  /// mm, for each triangle an upper bound of the distance of its points; with a triangle gap, and
-  /// only of surfaces.
+  /// mm, of each triangle: an upper bound of the distance of its points. Only of surfaces, and with
+  /// a triangle gap.
   std::vector<double> TriangleUpper;
   DistanceBounds Excess; ///< of the distance over the tolerance map, if there is one
   ProofStatus Proof = ProofStatus::NotRequested;
@@ -113,13 +113,13 @@ struct CertificateOptions
    * to be within the tolerance of one triangle. A triangle without a limit accepts all points.
    */
   std::vector<double> ToleranceMap;
-  /// Refine the bounds to the gap even where the tolerance is already proved. Without a tolerance
-  /// they always are.
+  /// Refine the bounds to the gap even if the tolerance is already proved; always so without a
+  /// tolerance.
   bool TightBounds = true;
-  /// The bounds differ by at most this fraction of the upper one, by MinGap, or by 1e-9 of the
-  /// largest coordinate, unless MaxCuts ends the search first.
+  /// The search ends when the bounds differ by at most this fraction of the upper one, by MinGap,
+  /// or by 1e-9 of the largest coordinate, or after MaxCuts.
   double RelativeGap = 1e-6;
-  double MinGap = 0.0; ///< mm; the search ends when the bounds are nearer to each other.
+  double MinGap = 0.0; ///< mm
   /// Largest number of cuts in each direction; 0: 2^26 and sixteen for each triangle.
   std::int64_t MaxCuts = 0;
   bool WithSurfaces = true;
@@ -128,8 +128,8 @@ struct CertificateOptions
   bool WithMeans = false;          ///< Also compute mean and root mean square.
   double MeanPrecision = 1e-3;     ///< Relative; reached unless it takes more than 2^21 samples.
   bool WithPointDistances = false; ///< Also compute distance and side of each point.
-  /// mm; above 0: also compute an upper bound for each triangle, which exceeds its largest distance
-  /// by at most this gap unless the search for the triangle ends after 4,096 cuts.
+  /// mm; above 0: also compute an upper bound for each triangle. It exceeds the largest distance of
+  /// the triangle by at most this gap, unless its search ends after 4,096 cuts.
   double ReferenceTriangleGap = 0.0;
   double ResultTriangleGap = 0.0;
   int NumberOfThreads = 0; ///< 0: one per processor; the result does not depend on it
@@ -146,24 +146,23 @@ struct Certificate
   /// has.
   DirectedCertificate BoundaryOfReferenceToResult;
   DirectedCertificate BoundaryOfResultToReference;
-  double Slack = 0.0; ///< mm, by which the bounds are widened for rounding; included in them
+  double Slack = 0.0; ///< mm, by which all bounds are widened for rounding.
   double Seconds = 0.0;
 
-  double Lower()
-    const; ///< mm, of the two-sided distance of the surfaces; boundaries are not included
+  /// mm, bounds of the two-sided distance of the surfaces, boundaries not included.
+  double Lower() const;
   double Upper() const;
 };
 
 /**
  * @param reference The surface to which a tolerance map belongs. Any triangles are allowed: without
- *   area, not manifold,
- *        with repeated points. Points that no triangle uses are ignored.
+ *   area, not manifold, with repeated points. Points that no triangle uses are ignored.
  * @throws std::bad_alloc and nothing else.
  */
 Certificate Certify(const Surface& reference, const Surface& result,
   const CertificateOptions& options = {}, const Monitor& monitor = {});
 
-/// One word: "proved".
+/// The status as in reports: "proved".
 const char* ProofStatusWord(ProofStatus status);
 /// A sentence about the problem; empty if Good.
 const char* StatusSentence(CertificateStatus status);

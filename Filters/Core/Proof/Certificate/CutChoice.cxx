@@ -20,8 +20,8 @@ constexpr double MaxWeight = 1.0 - 1e-6;
 /// A cut nearer to an end than this fraction of the edge makes slivers: the edge is halved instead.
 constexpr double MinFraction = 1.0 / 32.0;
 constexpr int MaxSecants = 6;
-/// Values of candidates are equal if they differ by less than this fraction of their distance to
-/// the closing bound.
+/// Values of two candidates count as equal if they differ by less than this fraction of their
+/// distance to the closing bound.
 constexpr double EqualEnough = 0.05;
 
 }
@@ -68,8 +68,8 @@ CutChoice::Edge CutChoice::LongestEdge(const Piece& piece)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a few cuts make the pieces so small that they are closed by their size, wherever they
-/// are cut.
+/// Whether a few cuts, wherever they are, make the pieces so small that they are closed by their
+/// size.
 bool CutChoice::ClosesBySize(const Piece& piece, double longest) const
 {
   double most = -Infinity;
@@ -114,8 +114,8 @@ std::optional<CutWeights> CutChoice::CommonVertex(const Piece& piece) const
   {
     const Index one = piece.Corners[i].Nearest;
     const Index other = piece.Corners[(i + 1) % 3].Nearest;
-    const Corners ofOne = this->To.CornersOf(one);
-    const Corners ofOther = this->To.CornersOf(other);
+    const Corners ofOne = this->TargetSet.CornersOf(one);
+    const Corners ofOther = this->TargetSet.CornersOf(other);
     for (std::size_t k = 0; k < 3 && one != other; ++k)
     {
       if (std::find(ofOther.begin(), ofOther.end(), ofOne[k]) == ofOther.end())
@@ -144,8 +144,8 @@ bool CutChoice::IsUnshared(const Piece& piece, Edge& edge) const
   {
     return false;
   }
-  edge.FromToOther = this->To.ValueTo(from.Position, to.Nearest);
-  edge.ToToOther = this->To.ValueTo(to.Position, from.Nearest);
+  edge.FromToOther = this->TargetSet.ValueTo(from.Position, to.Nearest);
+  edge.ToToOther = this->TargetSet.ValueTo(to.Position, from.Nearest);
   const double goal = this->ClosingBound - this->Slack;
   return edge.FromToOther - from.Tolerance > goal && edge.ToToOther - to.Tolerance > goal;
 }
@@ -159,9 +159,10 @@ double CutChoice::EqualFraction(const Piece& piece, const Edge& edge) const
   const auto difference = [&](double fraction)
   {
     const Vector3 position = from.Position + fraction * (to.Position - from.Position);
-    return this->To.ValueTo(position, from.Nearest) - this->To.ValueTo(position, to.Nearest);
+    return this->TargetSet.ValueTo(position, from.Nearest) -
+      this->TargetSet.ValueTo(position, to.Nearest);
   };
-  const double enough =
+  const double sufficient =
     EqualEnough * (this->ClosingBound - this->Slack - std::min(from.Value, to.Value));
   double low = 0.0;
   double high = 1.0;
@@ -173,7 +174,7 @@ double CutChoice::EqualFraction(const Piece& piece, const Edge& edge) const
   {
     fraction = low - atLow * (high - low) / (atHigh - atLow);
     const double here = difference(fraction);
-    if (std::abs(here) <= enough)
+    if (std::abs(here) <= sufficient)
     {
       break;
     }

@@ -18,8 +18,8 @@ struct PieceCorner
 {
   Vector3 Position = Vector3::Zero(); // mm
   double Tolerance = 0.0;             // mm
-  double Value = 0.0;                 // mm, to the target
-  Index Nearest = None;               // the simplex of the target with that value
+  double Value = 0.0;                 // mm, Target::ValueTo(Nearest)
+  Index Nearest = None;               // a simplex of the target
   bool IsStored = false; // a corner of the source simplex: its coordinates are not rounded
 };
 
@@ -27,7 +27,7 @@ struct PieceCorner
 struct Piece
 {
   std::array<PieceCorner, 3> Corners;
-  double Upper = 0.0; // mm, of the excess, widened by the slack
+  double Upper = 0.0; // mm, bound of the excess, widened by the slack
   int Count = 0;
   int Depth = 0;
 };
@@ -40,20 +40,24 @@ class CutChoice
 {
 public:
   /// @param goal mm; a piece is closed if its excess, widened by the slack, is proved not to exceed
-  ///   this.
+  ///   it.
   CutChoice(const Target& target, double goal, double slack)
-    : To(target)
+    : TargetSet(target)
     , ClosingBound(goal)
     , Slack(slack)
   {
   }
 
   /**
-   * Cuts the longest edge in the middle while pieces can be closed by their size. Otherwise cuts at
-   * a vertex that lies under the piece and belongs to several candidates, or on the longest edge
-   * whose ends have no common candidate, at the point where both candidates are equally far. Each
-   * part then lies over one candidate, and the bounds become exact, after finitely many cuts where
-   * both surfaces are flat.
+   * Cuts the longest edge in the middle if a few cuts make pieces so small that they can be closed
+   * by their size. Otherwise cuts
+   *
+   *     at a vertex that lies under the piece and belongs to several candidates, or
+   *     on the longest edge whose ends have no common candidate, where both candidates are
+   *       equally far
+   *
+   * Each part then lies over one candidate. Where both surfaces are flat, the bounds become exact
+   * after finitely many cuts.
    */
   CutWeights Choose(const Piece& piece) const;
 
@@ -77,7 +81,7 @@ private:
   bool IsUnshared(const Piece& piece, Edge& edge) const;
   double EqualFraction(const Piece& piece, const Edge& edge) const;
 
-  const Target& To;
+  const Target& TargetSet;
   double ClosingBound; // mm
   double Slack;        // mm
 };

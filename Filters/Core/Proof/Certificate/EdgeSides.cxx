@@ -13,8 +13,7 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// A number of 64 bits in which every bit depends on all bits of the coordinates. Both zeros have
-/// the same number.
+/// A hash of the coordinates; the same for both zeros.
 std::uint64_t HashOf(const Vector3& p)
 {
   std::uint64_t hash = 0;
@@ -51,7 +50,7 @@ std::vector<Index> FirstPointAtEachPosition(const std::vector<Vector3>& points)
   return same;
 }
 
-/// Matches the sides of triangles along the edges between points, where point p has the id ids[p].
+/// Matches the sides of triangles. Point p has the id ids[p].
 class EdgeMatch
 {
 public:
@@ -59,34 +58,34 @@ public:
     : Triangles(triangles)
     , Ids(ids)
     , Starts(ids.size() + 2, 0)
-    , Found(triangles.size(), { NotRegular, NotRegular, NotRegular })
+    , Sides(triangles.size(), { NotRegular, NotRegular, NotRegular })
   {
   }
 
   EdgeSides Run(int threads)
   {
-    this->ForEachSide([&](Index low, const Half&) { ++this->Starts[low + 2]; });
+    this->ForEachSide([&](Index low, const HalfEdge&) { ++this->Starts[low + 2]; });
     std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-    this->Halves.resize(this->Starts.back());
+    this->HalfEdges.resize(this->Starts.back());
     this->ForEachSide(
-      [&](Index low, const Half& half) { this->Halves[this->Starts[low + 1]++] = half; });
+      [&](Index low, const HalfEdge& half) { this->HalfEdges[this->Starts[low + 1]++] = half; });
     ForEachId(this->Starts.size() - 2, threads,
       [&](std::size_t low)
       {
-        this->MatchAt(this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low]),
-          this->Halves.begin() + static_cast<std::ptrdiff_t>(this->Starts[low + 1]));
+        this->MatchAt(this->HalfEdges.begin() + static_cast<std::ptrdiff_t>(this->Starts[low]),
+          this->HalfEdges.begin() + static_cast<std::ptrdiff_t>(this->Starts[low + 1]));
       });
-    return std::move(this->Found);
+    return std::move(this->Sides);
   }
 
 private:
   /// A side of a triangle, stored at its end of lower id.
-  struct Half
+  struct HalfEdge
   {
     Index High;
     std::uint32_t Slot; // 3 * triangle + side
   };
-  using Iterator = std::vector<Half>::iterator;
+  using Iterator = std::vector<HalfEdge>::iterator;
 
   template <typename Visit>
   void ForEachSide(const Visit& visit) const
@@ -102,28 +101,28 @@ private:
       for (std::uint32_t side = 0; side < 3; ++side)
       {
         const auto [low, high] = std::minmax(ids[side], ids[(side + 1) % 3]);
-        visit(low, Half{ high, static_cast<std::uint32_t>(3 * t) + side });
+        visit(low, HalfEdge{ high, static_cast<std::uint32_t>(3 * t) + side });
       }
     }
   }
 
   void MatchAt(Iterator first, Iterator last)
   {
-    std::sort(first, last, [](const Half& a, const Half& b) { return a.High < b.High; });
+    std::sort(first, last, [](const HalfEdge& a, const HalfEdge& b) { return a.High < b.High; });
     while (first != last)
     {
       const Iterator end =
-        std::find_if(first, last, [&](const Half& other) { return other.High != first->High; });
+        std::find_if(first, last, [&](const HalfEdge& other) { return other.High != first->High; });
       const std::uint32_t one = first->Slot;
       const std::uint32_t other = (end - 1)->Slot;
       if (end - first == 1)
       {
-        this->Found[one / 3][one % 3] = Boundary;
+        this->Sides[one / 3][one % 3] = Boundary;
       }
       if (end - first == 2 && this->Begin(one) != this->Begin(other))
       {
-        this->Found[one / 3][one % 3] = static_cast<Index>(other / 3);
-        this->Found[other / 3][other % 3] = static_cast<Index>(one / 3);
+        this->Sides[one / 3][one % 3] = static_cast<Index>(other / 3);
+        this->Sides[other / 3][other % 3] = static_cast<Index>(one / 3);
       }
       first = end;
     }
@@ -135,8 +134,8 @@ private:
   const std::vector<Triangle>& Triangles;
   const std::vector<Index>& Ids;
   std::vector<std::uint32_t> Starts; // for each point its first edge to points of higher ids
-  std::vector<Half> Halves;
-  EdgeSides Found;
+  std::vector<HalfEdge> HalfEdges;
+  EdgeSides Sides;
 };
 
 bool HasBoundaries(const EdgeSides& sides)

@@ -20,8 +20,8 @@ namespace bonedecimate::certificate
 constexpr Index Boundary = None; ///< There is no neighbor.
 constexpr Index NotRegular = -2; ///< There are several neighbors, or one of opposite orientation.
 
-/// For each triangle, the neighbors across the sides from each corner to the next one, or one of
-/// the values above.
+/// For each triangle, the neighbors across its sides, or one of the values above. Side k runs from
+/// corner k to the next one.
 using EdgeSides = std::vector<std::array<Index, 3>>;
 
 EdgeSides FindEdgeSides(

@@ -7,9 +7,12 @@
  *
  * Upper bound: the distance to a point of the triangle. It lies in the triangle whatever the
  * rounding error of its weights, because they are clamped to be at least 0 with a sum of at most 1.
+ *
  * Lower bound: along the direction from that point, no point of the triangle is nearer than the
- * nearest corner; this holds for every direction. Both bounds agree if the point is the nearest
- * one. Each is wrong only by the rounding of its own evaluation; see Slack().
+ * nearest corner; this holds for every direction.
+ *
+ * Both bounds agree if the point is the nearest one. Each is wrong only by the rounding of its own
+ * evaluation; see Slack().
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_Foot_h
 #define BoneDecimate_Core_Proof_Certificate_Foot_h

@@ -70,7 +70,7 @@ Frame FindFrame(const Surface& reference, const Surface& result)
 Simplices WholeSurface(const Surface& surface, const EdgeSides& sides, const Frame& frame)
 {
   Simplices whole;
-  whole.Across = &sides;
+  whole.Sides = &sides;
   whole.Corners = surface.Triangles;
   whole.Points.reserve(surface.Points.size());
   for (const Vector3& point : surface.Points)

@@ -4,10 +4,11 @@
  * @file Frame.h
  * @brief The local frame of two surfaces, and their simplices in it.
  *
- * Along each axis the coordinate nearest to 0 is subtracted if all are of its sign and at most
- * twice as far: the difference is then exact (P. H. Sterbenz, Floating-point computation, 1974).
- * Otherwise nothing is subtracted, and no coordinate is farther from 0 than twice the size of both
- * surfaces. Points are equal in the frame if and only if they are equal in the input.
+ * Along each axis the coordinate nearest to 0 is subtracted if all have its sign and none is more
+ * than twice as far from 0: the difference is then exact (P. H. Sterbenz, Floating-point
+ * computation, 1974). Otherwise nothing is subtracted, and no coordinate is farther from 0 than
+ * twice the size of both surfaces. Points are equal in the frame if and only if they are equal in
+ * the input.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_Frame_h
 #define BoneDecimate_Core_Proof_Certificate_Frame_h
@@ -23,7 +24,7 @@ bool HasUsableTriangles(const Surface& surface);
 struct Frame
 {
   Vector3 Origin = Vector3::Zero(); ///< mm
-  double Extent = 0.0;              ///< mm, the largest absolute coordinate in it
+  double Extent = 0.0;              ///< mm, the largest absolute coordinate in the frame
 };
 
 Frame FindFrame(const Surface& reference, const Surface& result);
@@ -31,8 +32,8 @@ Frame FindFrame(const Surface& reference, const Surface& result);
 /// @param sides Edge sides of the surface; kept.
 Simplices WholeSurface(const Surface& surface, const EdgeSides& sides, const Frame& frame);
 
-/// The part with a limit: of each simplex the corners with a finite limit, as a triangle, segment
-/// or point.
+/// The part with finite limits: of each simplex the corners with a finite limit, as a triangle,
+/// segment or point.
 Simplices LimitedPart(const Simplices& whole, const std::vector<double>& limit);
 
 struct BoundarySet

@@ -9,8 +9,8 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Candidates are measured in groups of so many, which compilers turn into vector instructions.
-constexpr std::size_t Group = 4;
+/// Candidates are measured in groups of this size, which compilers vectorize.
+constexpr std::size_t GroupSize = 4;
 
 /// mm^2; the squares of shorter lengths underflow, and the slack is longer (Foot.h).
 constexpr double MinSquared = 1e-300;
@@ -39,32 +39,32 @@ double Positive(double x)
 //------------------------------------------------------------------------------
 JointCover::JointCover()
 {
-  this->Known.reserve(MaxCorners);
+  this->PieceCorners.reserve(MaxCorners);
 }
 
 //------------------------------------------------------------------------------
 void JointCover::Begin(double slack)
 {
   this->Margin = slack;
-  this->Count = this->Measured = this->Given = 0;
+  this->NumberOfCandidates = this->MeasuredCandidates = this->InitialCorners = 0;
   this->SquaredUpper = 0.0;
-  this->Known.clear();
-  this->Open.clear();
+  this->PieceCorners.clear();
+  this->OpenPieces.clear();
 }
 
 //------------------------------------------------------------------------------
 void JointCover::Cover(const Vector3* corners, std::size_t count)
 {
-  const std::size_t first = this->Known.size();
+  const std::size_t first = this->PieceCorners.size();
   for (std::size_t i = 0; i < count; ++i)
   {
-    this->Known.emplace_back().Position = corners[i];
+    this->PieceCorners.emplace_back().Position = corners[i];
     if (i > 1)
     {
-      this->Open.push_back({ first, first + i - 1, first + i });
+      this->OpenPieces.push_back({ first, first + i - 1, first + i });
     }
   }
-  this->Given = this->Known.size();
+  this->InitialCorners = this->PieceCorners.size();
 }
 
 //------------------------------------------------------------------------------
@@ -76,16 +76,16 @@ void JointCover::Raise(double upper)
 //------------------------------------------------------------------------------
 bool JointCover::Has(Index id) const
 {
-  const auto end = this->Ids.begin() + static_cast<std::ptrdiff_t>(this->Count);
+  const auto end = this->Ids.begin() + static_cast<std::ptrdiff_t>(this->NumberOfCandidates);
   return std::find(this->Ids.begin(), end, id) != end;
 }
 
 //------------------------------------------------------------------------------
 bool JointCover::Add(const Corners& candidate, Index id)
 {
-  if (this->Count == MaxCandidates || this->Has(id))
+  if (this->NumberOfCandidates == MaxCandidates || this->Has(id))
   {
-    return this->Count < MaxCandidates;
+    return this->NumberOfCandidates < MaxCandidates;
   }
   const Vector3 ab = candidate[1] - candidate[0];
   const Vector3 ac = candidate[2] - candidate[0];
@@ -103,8 +103,9 @@ bool JointCover::Add(const Corners& candidate, Index id)
   };
   const std::array<Side, 3> sides = { Side{ 0.0, 0.0, bAlong, 0.0 },
     { bAlong, 0.0, cAlong, cAcross }, { cAlong, cAcross, 0.0, 0.0 } };
-  this->Ids[this->Count++] = id;
-  for (std::size_t i = this->Count - 1; i < this->Groups(); ++i) // the rest of the group repeats it
+  this->Ids[this->NumberOfCandidates++] = id;
+  for (std::size_t i = this->NumberOfCandidates - 1; i < this->RoundedCount();
+       ++i) // the rest of the group repeats it
   {
     for (Eigen::Index axis = 0; axis < 3; ++axis)
     {
@@ -124,9 +125,9 @@ bool JointCover::Add(const Corners& candidate, Index id)
       const double alongV = length > 0.0 ? dv / length : 0.0;
       this->AlongU[k][i] = alongU;
       this->AlongV[k][i] = alongV;
-      this->Middle[k][i] = alongU * side.FromU + alongV * side.FromV + 0.5 * length;
-      this->Half[k][i] = 0.5 * length;
-      this->At[k][i] = alongU * side.FromV - alongV * side.FromU;
+      this->MiddleAlong[k][i] = alongU * side.FromU + alongV * side.FromV + 0.5 * length;
+      this->HalfLength[k][i] = 0.5 * length;
+      this->OffsetAcross[k][i] = alongU * side.FromV - alongV * side.FromU;
     }
   }
   return true;
@@ -134,9 +135,9 @@ bool JointCover::Add(const Corners& candidate, Index id)
 
 //------------------------------------------------------------------------------
 /// The number of candidates, rounded up to whole groups.
-std::size_t JointCover::Groups() const
+std::size_t JointCover::RoundedCount() const
 {
-  return (this->Count + Group - 1) / Group * Group;
+  return (this->NumberOfCandidates + GroupSize - 1) / GroupSize * GroupSize;
 }
 
 //------------------------------------------------------------------------------
@@ -149,7 +150,7 @@ void JointCover::Measure(Corner& corner, std::size_t first) const
   const double z = corner.Position[2];
   PerCandidate<double> height, outside;
   std::array<PerCandidate<double>, 3> squared; // to the sides, in the plane
-  const std::size_t end = this->Groups();
+  const std::size_t end = this->RoundedCount();
   for (std::size_t i = first; i < end; ++i)
   {
     const double px = x - this->A[0][i];
@@ -163,8 +164,10 @@ void JointCover::Measure(Corner& corner, std::size_t first) const
     for (std::size_t k = 0; k < 3; ++k)
     {
       const double along = this->AlongU[k][i] * u + this->AlongV[k][i] * v;
-      const double beyond = Positive(std::abs(along - this->Middle[k][i]) - this->Half[k][i]);
-      const double inward = this->AlongU[k][i] * v - this->AlongV[k][i] * u - this->At[k][i];
+      const double beyond =
+        Positive(std::abs(along - this->MiddleAlong[k][i]) - this->HalfLength[k][i]);
+      const double inward =
+        this->AlongU[k][i] * v - this->AlongV[k][i] * u - this->OffsetAcross[k][i];
       squared[k][i] = beyond * beyond + inward * inward;
       out += Positive(this->Margin - inward);
     }
@@ -180,42 +183,42 @@ void JointCover::Measure(Corner& corner, std::size_t first) const
 //------------------------------------------------------------------------------
 void JointCover::FindNear(Corner& corner) const
 {
-  corner.Near = 0;
-  for (std::size_t i = 0; i < this->Count; ++i)
+  corner.NearCandidates = 0;
+  for (std::size_t i = 0; i < this->NumberOfCandidates; ++i)
   {
-    corner.Near |= Set(corner.Squared[i] <= this->SquaredLimit ? 1 : 0) << i;
+    corner.NearCandidates |= CandidateSet(corner.Squared[i] <= this->SquaredLimit ? 1 : 0) << i;
   }
 }
 
 //------------------------------------------------------------------------------
-JointCover::Outcome JointCover::Run(double limit, std::size_t mostCorners)
+JointCover::Outcome JointCover::Run(double limit, std::size_t maxCorners)
 {
   this->SquaredLimit = limit * limit;
-  for (Corner& corner : this->Known)
+  for (Corner& corner : this->PieceCorners)
   {
-    this->Measure(corner, this->Measured);
+    this->Measure(corner, this->MeasuredCandidates);
     this->FindNear(corner);
   }
-  this->Measured = this->Count / Group * Group;
-  for (std::size_t i = 0; i < this->Given; ++i)
+  this->MeasuredCandidates = this->NumberOfCandidates / GroupSize * GroupSize;
+  for (std::size_t i = 0; i < this->InitialCorners; ++i)
   {
-    if (this->Known[i].Near == 0)
+    if (this->PieceCorners[i].NearCandidates == 0)
     {
-      this->FarCorner = this->Known[i];
+      this->FarCorner = this->PieceCorners[i];
       return Outcome::Far;
     }
   }
-  while (!this->Open.empty())
+  while (!this->OpenPieces.empty())
   {
-    const Piece piece = this->Open.back();
-    const Set common =
-      this->Known[piece[0]].Near & this->Known[piece[1]].Near & this->Known[piece[2]].Near;
+    const Piece piece = this->OpenPieces.back();
+    const CandidateSet common = this->PieceCorners[piece[0]].NearCandidates &
+      this->PieceCorners[piece[1]].NearCandidates & this->PieceCorners[piece[2]].NearCandidates;
     if (common != 0)
     {
       this->Close(piece, common);
-      this->Open.pop_back();
+      this->OpenPieces.pop_back();
     }
-    else if (this->Known.size() >= mostCorners)
+    else if (this->PieceCorners.size() >= maxCorners)
     {
       return Outcome::Exceeded;
     }
@@ -234,30 +237,30 @@ bool JointCover::Halve(const Piece& piece)
 {
   const std::size_t edge = this->EdgeToHalve(piece);
   const std::size_t next = (edge + 1) % 3;
-  const std::size_t made = this->Known.size();
-  Corner& middle = this->Known.emplace_back();
-  const Vector3& from = this->Known[piece[edge]].Position;
-  middle.Position = from + 0.5 * (this->Known[piece[next]].Position - from);
+  const std::size_t made = this->PieceCorners.size();
+  Corner& middle = this->PieceCorners.emplace_back();
+  const Vector3& from = this->PieceCorners[piece[edge]].Position;
+  middle.Position = from + 0.5 * (this->PieceCorners[piece[next]].Position - from);
   this->Measure(middle, 0);
   this->FindNear(middle);
-  if (middle.Near == 0)
+  if (middle.NearCandidates == 0)
   {
     this->FarCorner = middle;
-    this->Known.pop_back();
+    this->PieceCorners.pop_back();
     return false;
   }
-  this->Open.back()[next] = made;
-  this->Open.push_back(piece);
-  this->Open.back()[edge] = made;
+  this->OpenPieces.back()[next] = made;
+  this->OpenPieces.push_back(piece);
+  this->OpenPieces.back()[edge] = made;
   return true;
 }
 
 //------------------------------------------------------------------------------
-void JointCover::Close(const Piece& piece, Set common)
+void JointCover::Close(const Piece& piece, CandidateSet common)
 {
-  const PerCandidate<double>& a = this->Known[piece[0]].Squared;
-  const PerCandidate<double>& b = this->Known[piece[1]].Squared;
-  const PerCandidate<double>& c = this->Known[piece[2]].Squared;
+  const PerCandidate<double>& a = this->PieceCorners[piece[0]].Squared;
+  const PerCandidate<double>& b = this->PieceCorners[piece[1]].Squared;
+  const PerCandidate<double>& c = this->PieceCorners[piece[2]].Squared;
   double least = this->SquaredLimit;
   for (std::size_t i = 0; common != 0; ++i, common >>= 1)
   {
@@ -277,9 +280,9 @@ std::size_t JointCover::EdgeToHalve(const Piece& piece) const
   double longest = -1.0; // mm^2
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const Corner& from = this->Known[piece[i]];
-    const Corner& to = this->Known[piece[(i + 1) % 3]];
-    const bool hasCommon = (from.Near & to.Near) != 0;
+    const Corner& from = this->PieceCorners[piece[i]];
+    const Corner& to = this->PieceCorners[piece[(i + 1) % 3]];
+    const bool hasCommon = (from.NearCandidates & to.NearCandidates) != 0;
     const double length = (to.Position - from.Position).squaredNorm();
     if ((edgeHasCommon && !hasCommon) || (hasCommon == edgeHasCommon && length > longest))
     {
@@ -301,7 +304,7 @@ double JointCover::Upper() const
 Index JointCover::NearestToFar() const
 {
   const auto begin = this->FarCorner.Squared.begin();
-  const auto end = begin + static_cast<std::ptrdiff_t>(this->Count);
+  const auto end = begin + static_cast<std::ptrdiff_t>(this->NumberOfCandidates);
   return this->Ids[static_cast<std::size_t>(std::min_element(begin, end) - begin)];
 }
 }

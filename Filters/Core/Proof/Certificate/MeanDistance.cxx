@@ -12,7 +12,7 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-constexpr std::size_t FewestSamples = std::size_t{ 1 } << 16;
+constexpr std::size_t MinSamples = std::size_t{ 1 } << 16;
 constexpr std::size_t MaxSamples = std::size_t{ 1 } << 21;
 // 1/g and 1/g^2 of the plastic number: the R2 sequence (M. Roberts, 2018).
 constexpr double FirstStep = 0.7548776662466927;
@@ -50,8 +50,8 @@ struct Sums
   }
 };
 
-/// The number of samples that is likely to reach the precision; 0 if it is reached, or the maximum
-/// was taken.
+/// The number of samples that probably reaches the precision; 0 if it is reached or the count is at
+/// its maximum.
 std::size_t NextCount(std::size_t count, const MeanDistance& mean, double precision)
 {
   const auto isReached = [&](double factor)
@@ -76,7 +76,7 @@ class MeanSearch
 public:
   MeanSearch(const Simplices& source, const Target& target, const PointValues& values, int threads)
     : Source(source)
-    , To(target)
+    , TargetSet(target)
     , Values(values)
     , Threads(threads)
   {
@@ -87,7 +87,7 @@ public:
   {
     MeanDistance mean;
     mean.Area = this->Areas.back();
-    std::size_t count = mean.Area > 0.0 ? FewestSamples : 0;
+    std::size_t count = mean.Area > 0.0 ? MinSamples : 0;
     for (double from = 0.0; count > 0; from += 0.5 * (1.0 - from))
     {
       if (!this->Sample(count, PartOf(monitor, from, from + 0.5 * (1.0 - from)), mean))
@@ -146,7 +146,7 @@ private:
     const Triangle& corners = this->Source.Corners[triangle];
     const std::vector<Vector3>& p = this->Source.Points;
     const std::array<double, 3> weights = WeightsOf(number);
-    const Target::Candidate found = this->To.FindLeast(
+    const Target::Candidate found = this->TargetSet.FindLeast(
       weights[0] * p[corners[0]] + weights[1] * p[corners[1]] + weights[2] * p[corners[2]], hint);
     hint = found.Simplex;
     return Moments{ found.Value, found.Value * found.Value } - this->Linear(corners, weights);
@@ -200,7 +200,7 @@ private:
   }
 
   const Simplices& Source;
-  const Target& To;
+  const Target& TargetSet;
   const PointValues& Values;
   int Threads;
   std::vector<double> Areas; // mm^2, up to and including each triangle

@@ -6,8 +6,8 @@
  *
  *     linear part   the distances at the corners and their squares, interpolated and integrated
  *                   exactly
- *     the rest      at samples, one in each of many strata of equal area, until the precision is
- *                   reached
+ *     the rest      at samples, one in each of many strata of equal area, until the precision
+ *                   is reached
  *
  * The reported error is two standard errors, estimated from the differences of neighboring strata
  * (W. G. Cochran, Sampling techniques, 1977, 5A.12: collapsed strata), which overestimates it. It

@@ -10,24 +10,24 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Least height of T over the longer of its sides at the first corner, as a ratio of that side.
+/// Least height of T over the longer of its sides at the first corner, as a ratio of the side.
 constexpr double MinHeight = 3e-2;
-/// Least cosine of the angle between the direction of the projection and the normal of T; with a
-/// smaller one it is the normal.
+/// Least cosine of the angle between the direction of projection and the normal of T. If it were
+/// smaller, the normal is used.
 constexpr double MinCosine = 0.5;
-/// More triangles over T take longer than cutting T.
+/// With more triangles over T, cutting T is faster.
 constexpr std::size_t MaxTriangles = 4096;
 /// With more corners of parts that are far, all of T is covered in another way.
 constexpr std::size_t MaxFarCorners = 60;
 /// Relative error of a predicate and of the clipped coordinates, about 90 u.
 constexpr double PredicateError = 1e-14;
 constexpr double ClipMargin = 1e-14;
-/// The position in T at which layers are counted; any position off the images of the edges is
+/// The test position, at which images are counted; any position off the images of the edges is
 /// valid.
 constexpr double CountedB = 0.3279;
 constexpr double CountedC = 0.3391;
 
-/// Signed area coordinate of the image that is negative beyond a side of T.
+/// The signed area coordinate that is negative beyond this side of T.
 template <typename Coordinates>
 double Inside(const Coordinates& at, int side)
 {
@@ -51,7 +51,7 @@ int Orientation(const P& p, const Q& q, Position2 r)
   return left - right > error ? 1 : left - right < -error ? -1 : 0;
 }
 
-/// Whether the line through both images may pass T.
+/// Whether the line through both images may meet T.
 template <typename P>
 bool PassesTriangle(const P& p, const P& q)
 {
@@ -64,7 +64,7 @@ bool PassesTriangle(const P& p, const P& q)
 //------------------------------------------------------------------------------
 OverlayCover::OverlayCover(const Simplices& surface)
   : Surface(surface)
-  , Sides(*surface.Across)
+  , Sides(*surface.Sides)
   , TriangleStamps(surface.Size(), 0)
   , PointStamps(surface.Points.size(), 0)
   , ImageIndices(surface.Points.size(), 0)
@@ -74,8 +74,8 @@ OverlayCover::OverlayCover(const Simplices& surface)
 //------------------------------------------------------------------------------
 bool OverlayCover::Find(const Corners& triangle, const Triangle& seeds, double limit)
 {
-  this->Visited.clear();
-  this->Far.clear();
+  this->VisitedTriangles.clear();
+  this->PartsTooFar.clear();
   this->FarCorners = 0;
   this->UpperOfNear = 0.0;
   this->NextStamp();
@@ -87,10 +87,10 @@ bool OverlayCover::Find(const Corners& triangle, const Triangle& seeds, double l
   {
     return false;
   }
-  for (std::size_t at = 0; at < this->Visited.size(); ++at)
+  for (std::size_t at = 0; at < this->VisitedTriangles.size(); ++at)
   {
     if (at == MaxTriangles || this->FarCorners > MaxFarCorners ||
-      !this->Visit(this->Visited[at], limit))
+      !this->Visit(this->VisitedTriangles[at], limit))
     {
       return false;
     }
@@ -115,7 +115,7 @@ void OverlayCover::Add(Index triangle)
   if (this->TriangleStamps[triangle] != this->Stamp)
   {
     this->TriangleStamps[triangle] = this->Stamp;
-    this->Visited.push_back(triangle);
+    this->VisitedTriangles.push_back(triangle);
   }
 }
 
@@ -153,7 +153,7 @@ bool OverlayCover::Begin(const Corners& triangle, const Triangle& seeds)
 }
 
 //------------------------------------------------------------------------------
-/// Makes the projection parallel to a direction, unless that is too far from the normal of T.
+/// Sets the direction of projection, unless it is too far from the normal of T.
 void OverlayCover::Incline(const Vector3& direction)
 {
   const Vector3 normal = this->AB.cross(this->AC).normalized();
@@ -166,7 +166,7 @@ void OverlayCover::Incline(const Vector3& direction)
 }
 
 //------------------------------------------------------------------------------
-/// Its index in Images.
+/// The index of the point's image in Images.
 Index OverlayCover::ImageOf(Index point)
 {
   if (this->PointStamps[point] != this->Stamp)
@@ -190,23 +190,23 @@ Index OverlayCover::ImageOf(Index point)
 bool OverlayCover::Visit(Index triangle, double limit)
 {
   const Triangle& corners = this->Surface.Corners[triangle];
-  const Triangle images = { this->ImageOf(corners[0]), this->ImageOf(corners[1]),
+  const Triangle ids = { this->ImageOf(corners[0]), this->ImageOf(corners[1]),
     this->ImageOf(corners[2]) };
-  const Shape shape = { &this->Images[images[0]], &this->Images[images[1]],
-    &this->Images[images[2]] };
-  if ((shape[0]->Beyond & shape[1]->Beyond & shape[2]->Beyond) != 0)
+  const ImageTriangle images = { &this->Images[ids[0]], &this->Images[ids[1]],
+    &this->Images[ids[2]] };
+  if ((images[0]->Beyond & images[1]->Beyond & images[2]->Beyond) != 0)
   {
     return true; // its image does not meet T
   }
-  this->Measure(shape, triangle, limit);
-  return this->CountLayer(shape) && this->CrossEdges(shape, triangle);
+  this->Measure(images, triangle, limit);
+  return this->CountLayer(images) && this->CrossEdges(images, triangle);
 }
 
 //------------------------------------------------------------------------------
 /// Counts the image if it contains the test position. False if that cannot be decided.
-bool OverlayCover::CountLayer(const Shape& shape)
+bool OverlayCover::CountLayer(const ImageTriangle& images)
 {
-  const auto& [p, q, r] = shape;
+  const auto& [p, q, r] = images;
   const auto [lowB, highB] = std::minmax({ p->At.B, q->At.B, r->At.B });
   const auto [lowC, highC] = std::minmax({ p->At.C, q->At.C, r->At.C });
   if (lowB > CountedB || highB < CountedB || lowC > CountedC || highC < CountedC)
@@ -216,7 +216,7 @@ bool OverlayCover::CountLayer(const Shape& shape)
   int turns = 0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const int turn = Orientation(shape[k]->At, shape[(k + 1) % 3]->At, { CountedB, CountedC });
+    const int turn = Orientation(images[k]->At, images[(k + 1) % 3]->At, { CountedB, CountedC });
     if (turn == 0)
     {
       return false;
@@ -228,13 +228,13 @@ bool OverlayCover::CountLayer(const Shape& shape)
 }
 
 //------------------------------------------------------------------------------
-/// Adds the neighbors over T to the list. False if there is not exactly one neighbor.
-bool OverlayCover::CrossEdges(const Shape& shape, Index triangle)
+/// Adds the neighbors across edges that meet T. False if an edge does not have exactly one.
+bool OverlayCover::CrossEdges(const ImageTriangle& images, Index triangle)
 {
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const KnownImage& p = *shape[k];
-    const KnownImage& q = *shape[(k + 1) % 3];
+    const KnownImage& p = *images[k];
+    const KnownImage& q = *images[(k + 1) % 3];
     const bool meets =
       (p.Beyond & q.Beyond) == 0 && (p.Beyond == 0 || q.Beyond == 0 || PassesTriangle(p.At, q.At));
     if (!meets)
@@ -277,19 +277,19 @@ void OverlayCover::Clip(const Polygon& polygon, int side, double margin, Polygon
 
 //------------------------------------------------------------------------------
 /// The bound of the overlay of T and an image is the largest distance at a corner.
-void OverlayCover::Measure(const Shape& shape, Index triangle, double limit)
+void OverlayCover::Measure(const ImageTriangle& images, Index triangle, double limit)
 {
   Polygon first, second;
   Polygon* kept = &first;
   Polygon* next = &second;
   double largest = 1.0;
   kept->Count = 0;
-  for (const KnownImage* corner : shape)
+  for (const KnownImage* corner : images)
   {
     kept->Corners[kept->Count++] = corner->At;
     largest = std::max({ largest, std::abs(corner->At.B), std::abs(corner->At.C) });
   }
-  const int beyond = shape[0]->Beyond | shape[1]->Beyond | shape[2]->Beyond;
+  const int beyond = images[0]->Beyond | images[1]->Beyond | images[2]->Beyond;
   for (int side = 0; side < 3; ++side)
   {
     if ((beyond & (1 << side)) != 0)
@@ -313,7 +313,7 @@ void OverlayCover::Measure(const Shape& shape, Index triangle, double limit)
     this->UpperOfNear = std::max(this->UpperOfNear, upper);
     return;
   }
-  Part& part = this->Far.emplace_back();
+  Part& part = this->PartsTooFar.emplace_back();
   for (; part.Count < kept->Count; ++part.Count)
   {
     part.Corners[part.Count] = this->InPlane(kept->Corners[part.Count]);

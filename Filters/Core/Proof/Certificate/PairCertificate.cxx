@@ -16,12 +16,12 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-constexpr std::int64_t MinMostCuts = std::int64_t{ 1 } << 26;
-constexpr std::int64_t CutsASimplex = 16;
-/// The least gap of the search, 1e-9 of the extent, and the least that can be reached: both bounds
-/// are widened by the slack.
+constexpr std::int64_t MinMaxCuts = std::int64_t{ 1 } << 26;
+constexpr std::int64_t CutsPerSimplex = 16;
+/// The default gap of the search, 1e-9 of the extent, and the least that can be reached, because
+/// both bounds are widened by the slack.
 constexpr double SlacksOfGap = 2048.0;
-constexpr double FewestSlacks = 4.0;
+constexpr double MinSlacksOfGap = 4.0;
 
 ProofStatus Evaluate(const DistanceBounds& bounds, double tolerance)
 {
@@ -44,20 +44,21 @@ void Tighten(DistanceBounds& bounds, const DistanceBounds& other)
 }
 
 /// Certifies one direction. The excess is taken over the tolerances of the target.
-class Direction
+class DirectedSearch
 {
 public:
   /// @param triangleGap mm, of the bounds of single triangles; 0: they are not computed.
-  Direction(const Simplices& source, const Target& target, const PairTask& task, double triangleGap)
+  DirectedSearch(
+    const Simplices& source, const Target& target, const PairTask& task, double triangleGap)
     : Source(source)
-    , To(target)
+    , TargetSet(target)
     , Task(task)
-    , TriangleGap(task.OfSurfaces ? triangleGap : 0.0)
+    , TriangleGap(task.AreSurfaces ? triangleGap : 0.0)
   {
     const std::int64_t requested = task.Options.MaxCuts;
     this->Goal.MaxCuts = requested > 0
       ? requested
-      : MinMostCuts + CutsASimplex * static_cast<std::int64_t>(source.Size());
+      : MinMaxCuts + CutsPerSimplex * static_cast<std::int64_t>(source.Size());
     this->Goal.RelativeGap = task.Options.RelativeGap;
     this->Goal.Slack = task.Slack;
     this->Goal.MinGap = std::max(SlacksOfGap * task.Slack, task.Options.MinGap);
@@ -69,17 +70,17 @@ public:
     const std::optional<double>& tolerance = this->Task.Options.Tolerance;
     const bool stopAtTolerance = tolerance && !this->Task.Options.TightBounds;
     this->Goal.CloseBelow = stopAtTolerance ? *tolerance : -Infinity;
-    const PointValues values = this->Values(progress, 0.4 * weight, this->Enough());
+    const PointValues values = this->Values(progress, 0.4 * weight, this->SufficientValue());
     KnownBounds known;
-    if (this->TriangleGap > 0.0 && progress.GoesOn())
+    if (this->TriangleGap > 0.0 && progress.ShouldContinue())
     {
       known = this->BoundTriangles(values, progress.Next(0.2 * weight));
     }
-    if (progress.GoesOn())
+    if (progress.ShouldContinue())
     {
       bounds.Distance = this->Find(values, known, progress.Next(0.3 * weight));
     }
-    if (tolerance && progress.GoesOn())
+    if (tolerance && progress.ShouldContinue())
     {
       this->Decide(*tolerance, values, bounds, progress);
     }
@@ -88,9 +89,9 @@ public:
       upper = std::min(upper, bounds.Distance.Upper);
     }
     bounds.TriangleUpper = std::move(known.Upper);
-    if (this->Task.OfSurfaces && progress.GoesOn())
+    if (this->Task.AreSurfaces && progress.ShouldContinue())
     {
-      this->Describe(values, bounds, progress.Next(0.1 * weight));
+      this->AddStatistics(values, bounds, progress.Next(0.1 * weight));
     }
   }
 
@@ -100,12 +101,12 @@ public:
     this->Goal.CloseBelow = 0.0;
     this->Goal.Scale = largestTolerance;
     const PointValues values = this->Values(progress, 0.5 * weight);
-    if (progress.GoesOn())
+    if (progress.ShouldContinue())
     {
       bounds.Excess = this->Find(values, {}, progress.Next(0.5 * weight));
       bounds.Proof = Evaluate(bounds.Excess, 0.0);
     }
-    if (bounds.Proof == ProofStatus::Undecided && progress.GoesOn())
+    if (bounds.Proof == ProofStatus::Undecided && progress.ShouldContinue())
     {
       // Unmoved parts with a tolerance of 0 have an excess of exactly 0: no gap is allowed above
       // it.
@@ -116,23 +117,24 @@ public:
   }
 
 private:
-  /// @param enough mm; values up to this need not be the least, unless all are.
-  PointValues Values(Stages& progress, double weight, double enough = -1.0) const
+  /// @param sufficient mm; values up to this need not be the least if there are larger ones.
+  PointValues Values(Stages& progress, double weight, double sufficient = -1.0) const
   {
-    const bool ofAll = this->Task.OfSurfaces && this->Task.Options.WithPointDistances;
-    PointValues values = FindPointValues(
-      this->Source, this->To, ofAll, enough, this->Goal.NumberOfThreads, progress.Next(weight));
-    const bool hasMore = std::any_of(
-      values.Value.begin(), values.Value.end(), [enough](double value) { return value > enough; });
-    return enough < 0.0 || hasMore || !progress.GoesOn() ? values : this->Values(progress, 0.0);
+    const bool allPoints = this->Task.AreSurfaces && this->Task.Options.WithPointDistances;
+    PointValues values = FindPointValues(this->Source, this->TargetSet, allPoints, sufficient,
+      this->Goal.NumberOfThreads, progress.Next(weight));
+    const bool hasMore = std::any_of(values.Value.begin(), values.Value.end(),
+      [sufficient](double value) { return value > sufficient; });
+    return sufficient < 0.0 || hasMore || !progress.ShouldContinue() ? values
+                                                                     : this->Values(progress, 0.0);
   }
 
-  /// mm, for Values: well below what the largest distance is likely to be. Negative if more than
-  /// that is needed of the values.
-  double Enough() const
+  /// mm, for Values: well below what the largest distance probably is. Negative if all values have
+  /// to be exact.
+  double SufficientValue() const
   {
     const CertificateOptions& options = this->Task.Options;
-    const bool needsAll = !this->Task.OfSurfaces || this->TriangleGap > 0.0 || options.WithMeans ||
+    const bool needsAll = !this->Task.AreSurfaces || this->TriangleGap > 0.0 || options.WithMeans ||
       options.WithPointDistances;
     return needsAll ? -1.0 : 0.5 * options.Tolerance.value_or(-1.0);
   }
@@ -146,7 +148,7 @@ private:
     {
       this->Goal.CloseBelow = tolerance;
       this->Goal.RelativeGap = 0.0;
-      this->Goal.MinGap = FewestSlacks * this->Goal.Slack;
+      this->Goal.MinGap = MinSlacksOfGap * this->Goal.Slack;
       Tighten(bounds.Distance, this->Find(values, {}, progress.Next(0.0)));
       bounds.Proof = Evaluate(bounds.Distance, tolerance);
     }
@@ -157,36 +159,37 @@ private:
     SearchGoal goal = this->Goal;
     goal.CloseBelow = -Infinity;
     goal.RelativeGap = 0.0;
-    goal.MinGap = std::max(this->TriangleGap, FewestSlacks * goal.Slack);
+    goal.MinGap = std::max(this->TriangleGap, MinSlacksOfGap * goal.Slack);
     KnownBounds known;
-    known.Upper = FindTriangleBounds(this->Source, this->To, values, goal, known.Largest, monitor);
+    known.Upper =
+      FindTriangleBounds(this->Source, this->TargetSet, values, goal, known.Max, monitor);
     return known;
   }
 
-  void Describe(const PointValues& values, DirectedCertificate& bounds, const Monitor& monitor)
+  void AddStatistics(const PointValues& values, DirectedCertificate& bounds, const Monitor& monitor)
   {
     const CertificateOptions& options = this->Task.Options;
     if (options.WithMeans)
     {
-      bounds.Mean = FindMeanDistance(
-        this->Source, this->To, values, options.MeanPrecision, this->Goal.NumberOfThreads, monitor);
+      bounds.Mean = FindMeanDistance(this->Source, this->TargetSet, values, options.MeanPrecision,
+        this->Goal.NumberOfThreads, monitor);
     }
     if (options.WithPointDistances)
     {
       bounds.Points.Distance = values.Value;
-      bounds.Points.Side =
-        FindSides(this->Source.Points, values.Simplex, this->To.All(), this->Goal.NumberOfThreads);
+      bounds.Points.Side = FindSides(
+        this->Source.Points, values.Simplex, this->TargetSet.All(), this->Goal.NumberOfThreads);
     }
   }
 
   DistanceBounds Find(
     const PointValues& values, const KnownBounds& known, const Monitor& monitor) const
   {
-    return FindLargestExcess(this->Source, this->To, values, this->Goal, known, monitor);
+    return FindMaxExcess(this->Source, this->TargetSet, values, this->Goal, known, monitor);
   }
 
   const Simplices& Source;
-  const Target& To;
+  const Target& TargetSet;
   const PairTask& Task;
   double TriangleGap; // mm
   SearchGoal Goal;
@@ -209,24 +212,14 @@ std::vector<double> MinLimits(const Simplices& simplices, const std::vector<doub
   return least;
 }
 
-double MaxFinite(const std::vector<double>& limits)
-{
-  double largest = 0.0;
-  for (const double limit : limits)
-  {
-    largest = std::isfinite(limit) ? std::max(largest, limit) : largest;
-  }
-  return largest;
-}
-
 void NameTriangles(DistanceBounds& bounds, const Simplices& source, const Simplices& target)
 {
   bounds.Triangle = source.TriangleId(bounds.Triangle);
   bounds.NearestTriangle = target.TriangleId(bounds.NearestTriangle);
 }
 
-/// The bounds if there is no finite limit.
-void Allow(DirectedCertificate& bounds)
+/// Marks the bounds as proved: there is no limit to check.
+void MarkUnlimited(DirectedCertificate& bounds)
 {
   bounds.Excess.Upper = -Infinity;
   bounds.Proof = ProofStatus::Proved;
@@ -249,55 +242,55 @@ struct Comparison
   }
 };
 
-DirectedCertificate Forward(const Comparison& both)
+DirectedCertificate CertifyForward(const Comparison& both)
 {
   DirectedCertificate bounds;
   const Target target = both.TargetOf(both.Result);
-  Direction(both.Reference, target, both.Task, both.Task.Options.ReferenceTriangleGap)
+  DirectedSearch(both.Reference, target, both.Task, both.Task.Options.ReferenceTriangleGap)
     .FindDistance(bounds, both.Progress, both.Weight);
   NameTriangles(bounds.Distance, both.Reference, both.Result);
-  if (both.Limit.empty() || !both.Progress.GoesOn())
+  if (both.Limit.empty() || !both.Progress.ShouldContinue())
   {
     return bounds;
   }
   const Simplices limited = LimitedPart(both.Reference, both.Limit);
   if (limited.Size() == 0)
   {
-    Allow(bounds);
+    MarkUnlimited(bounds);
     return bounds;
   }
-  Direction(limited, target, both.Task, 0.0)
+  DirectedSearch(limited, target, both.Task, 0.0)
     .FindExcess(bounds, MaxFinite(both.Limit), both.Progress, both.Weight);
   NameTriangles(bounds.Excess, limited, both.Result);
   return bounds;
 }
 
-DirectedCertificate Backward(const Comparison& both)
+DirectedCertificate CertifyBackward(const Comparison& both)
 {
   DirectedCertificate bounds;
   Target target = both.TargetOf(both.Reference);
-  Direction(both.Result, target, both.Task, both.Task.Options.ResultTriangleGap)
+  DirectedSearch(both.Result, target, both.Task, both.Task.Options.ResultTriangleGap)
     .FindDistance(bounds, both.Progress, both.Weight);
   NameTriangles(bounds.Distance, both.Result, both.Reference);
-  if (both.Limit.empty() || !both.Progress.GoesOn())
+  if (both.Limit.empty() || !both.Progress.ShouldContinue())
   {
     return bounds;
   }
   std::vector<double> least = MinLimits(both.Reference, both.Limit);
-  const double largest = *std::max_element(least.begin(), least.end());
-  if (!std::isfinite(largest))
+  const double max = *std::max_element(least.begin(), least.end());
+  if (!std::isfinite(max))
   {
-    Allow(bounds);
+    MarkUnlimited(bounds);
     return bounds;
   }
   target.SetTolerances(std::move(least));
-  Direction(both.Result, target, both.Task, 0.0)
-    .FindExcess(bounds, largest, both.Progress, both.Weight);
+  DirectedSearch(both.Result, target, both.Task, 0.0)
+    .FindExcess(bounds, max, both.Progress, both.Weight);
   NameTriangles(bounds.Excess, both.Result, both.Reference);
   return bounds;
 }
 
-DirectedCertificate Alone(const BoundarySet& source, const PairTask& task)
+DirectedCertificate CertifyAlone(const BoundarySet& source, const PairTask& task)
 {
   DirectedCertificate bounds;
   const bool isEmpty = source.Segments.Size() == 0;
@@ -319,16 +312,26 @@ DirectedCertificate Alone(const BoundarySet& source, const PairTask& task)
 }
 
 //------------------------------------------------------------------------------
+double MaxFinite(const std::vector<double>& limits)
+{
+  double max = 0.0;
+  for (const double limit : limits)
+  {
+    max = std::isfinite(limit) ? std::max(max, limit) : max;
+  }
+  return max;
+}
+//------------------------------------------------------------------------------
 PairCertificate CertifyPair(const Simplices& reference, const Simplices& result,
   const std::vector<double>& limit, const PairTask& task, Stages& progress, double weight)
 {
   const double part = limit.empty() ? 0.5 * weight : 0.25 * weight;
   const Comparison both = { reference, result, limit, task, progress, part };
   PairCertificate pair;
-  pair.ReferenceToResult = Forward(both);
-  if (progress.GoesOn() && !task.Options.OneSided)
+  pair.ReferenceToResult = CertifyForward(both);
+  if (progress.ShouldContinue() && !task.Options.OneSided)
   {
-    pair.ResultToReference = Backward(both);
+    pair.ResultToReference = CertifyBackward(both);
   }
   return pair;
 }
@@ -337,6 +340,6 @@ PairCertificate CertifyPair(const Simplices& reference, const Simplices& result,
 PairCertificate WithoutPartner(
   const BoundarySet& reference, const BoundarySet& result, const PairTask& task)
 {
-  return { Alone(reference, task), Alone(result, task) };
+  return { CertifyAlone(reference, task), CertifyAlone(result, task) };
 }
 }

@@ -20,8 +20,8 @@ namespace bonedecimate::certificate
 struct PairTask
 {
   const CertificateOptions& Options;
-  double Slack;           ///< mm
-  bool OfSurfaces = true; ///< false: of boundaries
+  double Slack;            ///< mm
+  bool AreSurfaces = true; ///< False: boundaries.
 };
 
 struct PairCertificate
@@ -32,10 +32,13 @@ struct PairCertificate
 /**
  * @param limit mm, at each point of the reference, infinite where there is no limit; empty without
  *   a map.
- * @param weight Weight of this call in the whole progress, 0 to 1.
+ * @param weight Part of the whole progress, 0 to 1.
  */
 PairCertificate CertifyPair(const Simplices& reference, const Simplices& result,
   const std::vector<double>& limit, const PairTask& task, Stages& progress, double weight);
+
+/// mm, the largest finite limit; 0 without any.
+double MaxFinite(const std::vector<double>& limits);
 
 /// The bounds if at least one set is empty: 0 from an empty set, infinite to it.
 PairCertificate WithoutPartner(

@@ -9,15 +9,14 @@ namespace bonedecimate::certificate
 {
 namespace
 {
-/// Pieces of every other depth up to the first are bounded by a cover: deeper ones are so small
+/// Up to this depth, pieces of every other depth are bounded by a cover. Deeper ones are so small
 /// that few triangles are over them.
 constexpr int DeepestCover = 8;
 constexpr int CoverPeriod = 2;
-/// Triangles of an overlay that become candidates of a joint cover; the others are found while it
-/// is made.
+/// Triangles of an overlay that become candidates of a joint cover. The search adds others.
 constexpr std::size_t MaxMet = 32;
-/// Largest distance of a point of a triangle, or of a segment, to its nearest corner, divided by
-/// the longest edge.
+/// Largest distance of a point of a triangle or segment to its nearest corner, divided by the
+/// longest edge.
 double CoveringRatio(int corners)
 {
   return corners == 3 ? 0.57735026918962584 : 0.5; // a little more than 1 / sqrt(3)
@@ -32,13 +31,13 @@ Corners PositionsOf(const Piece& piece)
 
 //------------------------------------------------------------------------------
 PieceSearch::PieceSearch(const Simplices& source, const Target& target, const PointValues& values,
-  const SearchGoal& goal, const MaxExcess& largest)
+  const SearchGoal& goal, const MaxExcess& max)
   : Source(source)
-  , To(target)
+  , TargetSet(target)
   , Values(values)
   , Goal(goal)
-  , Most(largest)
-  , Cover(source.PointTolerance.empty() ? target.BorrowCover() : nullptr)
+  , MaxFound(max)
+  , Overlay(source.PointTolerance.empty() ? target.BorrowCover() : nullptr)
 {
 }
 
@@ -47,31 +46,31 @@ double PieceSearch::ClosingBound() const
 {
   const double limit = this->Goal.CloseBelow;
   const double margin = this->Goal.Decides ? 0.0 : 2.0 * this->Goal.Slack;
-  if (this->Most.Value + margin <= limit)
+  if (this->MaxFound.Value + margin <= limit)
   {
     return limit;
   }
   const double gap =
-    std::max(this->Goal.MinGap, this->Goal.RelativeGap * (this->Most.Value + this->Goal.Scale));
-  return std::max(limit, this->Most.Value + gap);
+    std::max(this->Goal.MinGap, this->Goal.RelativeGap * (this->MaxFound.Value + this->Goal.Scale));
+  return std::max(limit, this->MaxFound.Value + gap);
 }
 
 //------------------------------------------------------------------------------
-double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
+double PieceSearch::Explore(Index simplex, std::int64_t maxCuts)
 {
-  this->Stack.assign(1, this->Whole(simplex));
-  if (this->CloseAsSame(this->Stack[0]))
+  this->OpenPieces.assign(1, this->Whole(simplex));
+  if (this->CloseAsSame(this->OpenPieces[0]))
   {
     return -Infinity;
   }
-  this->Bound(this->Stack[0], Infinity);
+  this->Bound(this->OpenPieces[0], Infinity);
   double left = -Infinity;
-  const std::int64_t end = this->CutsMade + mostCuts;
-  while (!this->Stack.empty() && this->CutsMade < end)
+  const std::int64_t end = this->CutsMade + maxCuts;
+  while (!this->OpenPieces.empty() && this->CutsMade < end)
   {
-    Piece piece = this->Stack.back();
-    this->Stack.pop_back();
-    if (this->Cover != nullptr && piece.Count == 3 && piece.Depth <= DeepestCover &&
+    Piece piece = this->OpenPieces.back();
+    this->OpenPieces.pop_back();
+    if (this->Overlay != nullptr && piece.Count == 3 && piece.Depth <= DeepestCover &&
       piece.Depth % CoverPeriod == 0 && piece.Upper > this->ClosingBound())
     {
       this->BoundByCovers(piece, simplex);
@@ -85,7 +84,7 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
       this->Cut(piece, simplex);
     }
   }
-  for (const Piece& piece : this->Stack)
+  for (const Piece& piece : this->OpenPieces)
   {
     left = std::max(left, piece.Upper);
   }
@@ -93,16 +92,16 @@ double PieceSearch::Explore(Index simplex, std::int64_t mostCuts)
 }
 
 //------------------------------------------------------------------------------
-double PieceSearch::UpperOf(Index simplex, std::int64_t mostCuts)
+double PieceSearch::UpperOf(Index simplex, std::int64_t maxCuts)
 {
-  this->Most = MaxExcess();
+  this->MaxFound = MaxExcess();
   this->MaxClosed = -Infinity;
   const Piece whole = this->Whole(simplex);
   for (int i = 0; i < whole.Count; ++i)
   {
-    this->Learn(whole.Corners[i], simplex);
+    this->UpdateMax(whole.Corners[i], simplex);
   }
-  const double left = this->Explore(simplex, mostCuts);
+  const double left = this->Explore(simplex, maxCuts);
   return std::max(left, this->MaxClosed);
 }
 
@@ -123,8 +122,7 @@ Piece PieceSearch::Whole(Index simplex) const
 }
 
 //------------------------------------------------------------------------------
-/// A simplex with the same coordinates in both sets has a distance of exactly 0, so no slack is
-/// added.
+/// A simplex that is in both sets has a distance of exactly 0, so no slack is added.
 bool PieceSearch::CloseAsSame(const Piece& whole)
 {
   Corners positions;
@@ -132,19 +130,20 @@ bool PieceSearch::CloseAsSame(const Piece& whole)
   for (int i = 0; i < whole.Count; ++i)
   {
     const PieceCorner& corner = whole.Corners[i];
-    if (!this->To.HasTolerances() && corner.Value != 0.0)
+    if (!this->TargetSet.HasTolerances() && corner.Value != 0.0)
     {
       return false; // with tolerances the least value may belong to another simplex
     }
     positions[i] = corner.Position;
     leastTolerance = std::min(leastTolerance, corner.Tolerance);
   }
-  const Index same = this->To.FindSame(positions, whole.Count);
+  const Index same = this->TargetSet.FindSame(positions, whole.Count);
   if (same == None)
   {
     return false;
   }
-  this->MaxClosed = std::max(this->MaxClosed, 0.0 - this->To.Tolerance(same) - leastTolerance);
+  this->MaxClosed =
+    std::max(this->MaxClosed, 0.0 - this->TargetSet.Tolerance(same) - leastTolerance);
   return true;
 }
 
@@ -176,8 +175,8 @@ void PieceSearch::Bound(Piece& piece, double parentUpper) const
 }
 
 //------------------------------------------------------------------------------
-/// The largest excess over one simplex, or the first one that is not below the given bound. It is
-/// reached at a corner because the distance is convex.
+/// The largest excess over one simplex, or the first one of a corner that is not below the bound.
+/// It is reached at a corner, because the distance is convex.
 double PieceSearch::UpperOver(const Piece& piece, Index simplex, double bound) const
 {
   double upper = -Infinity;
@@ -193,84 +192,85 @@ double PieceSearch::UpperOver(const Piece& piece, Index simplex, double bound) c
 double PieceSearch::UpperAt(const PieceCorner& corner, Index simplex) const
 {
   const double value =
-    corner.Nearest == simplex ? corner.Value : this->To.ValueTo(corner.Position, simplex);
-  const bool isSame = corner.IsStored && value == -this->To.Tolerance(simplex) &&
-    this->To.HasCorner(simplex, corner.Position);
+    corner.Nearest == simplex ? corner.Value : this->TargetSet.ValueTo(corner.Position, simplex);
+  const bool isSame = corner.IsStored && value == -this->TargetSet.Tolerance(simplex) &&
+    this->TargetSet.HasCorner(simplex, corner.Position);
   return value - corner.Tolerance + (isSame ? 0.0 : this->Goal.Slack);
 }
 
 //------------------------------------------------------------------------------
-void PieceSearch::Learn(const PieceCorner& corner, Index simplex)
+void PieceSearch::UpdateMax(const PieceCorner& corner, Index simplex)
 {
   const double excess = corner.Value - corner.Tolerance;
-  if (excess > this->Most.Value)
+  if (excess > this->MaxFound.Value)
   {
-    this->Most = { excess, corner.Tolerance, corner.Position, simplex, corner.Nearest };
+    this->MaxFound = { excess, corner.Tolerance, corner.Position, simplex, corner.Nearest };
   }
 }
 
 //------------------------------------------------------------------------------
-/// What is nearest to a position of the piece, or beside it because of rounding, from the tree.
-Index PieceSearch::LearnNear(const Vector3& position, Index hint, const Piece& piece, Index simplex)
+/// Updates the maximum at a position of the piece, moved into it if it is outside by rounding.
+/// Returns the nearest simplex.
+Index PieceSearch::UpdateMaxNear(
+  const Vector3& position, Index hint, const Piece& piece, Index simplex)
 {
   PieceCorner corner;
   corner.Position = FindFoot(position, PositionsOf(piece)).Position;
-  const Target::Candidate found = this->To.FindLeast(corner.Position, hint);
+  const Target::Candidate found = this->TargetSet.FindLeast(corner.Position, hint);
   corner.Value = found.Value;
   corner.Nearest = found.Simplex;
-  this->Learn(corner, simplex);
+  this->UpdateMax(corner, simplex);
   return corner.Nearest;
 }
 
 //------------------------------------------------------------------------------
-/// Where the overlay is too far, a joint cover of these parts may be near, or else, or if it does
-/// not cover the piece, one of all.
+/// First an overlay, with a joint cover of its far parts. If that is not near enough, a joint cover
+/// of the whole piece.
 void PieceSearch::BoundByCovers(Piece& piece, Index simplex)
 {
   const Corners positions = PositionsOf(piece);
   const Triangle nearest = { piece.Corners[0].Nearest, piece.Corners[1].Nearest,
     piece.Corners[2].Nearest };
-  if (this->Cover->Find(positions, nearest, this->Limit()))
+  if (this->Overlay->Find(positions, nearest, this->Limit()))
   {
     this->BoundByOverlay(piece, simplex);
   }
   if (piece.Upper > this->ClosingBound())
   {
-    this->Joint.Begin(this->Goal.Slack);
-    this->Joint.Cover(positions.data(), 3);
-    const std::vector<Index>& met = this->Cover->Met();
+    this->CandidateCover.Begin(this->Goal.Slack);
+    this->CandidateCover.Cover(positions.data(), 3);
+    const std::vector<Index>& met = this->Overlay->Met();
     for (std::size_t i = 0; i < std::min(met.size(), MaxMet); ++i)
     {
-      this->Joint.Add(this->To.CornersOf(met[i]), met[i]);
+      this->CandidateCover.Add(this->TargetSet.CornersOf(met[i]), met[i]);
     }
     this->BoundJointly(piece, simplex);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Learns the distance where the overlay is farthest, and leaves what is still too far to the joint
-/// cover.
+/// Updates the maximum where the overlay is farthest, and leaves far parts to the joint cover.
 void PieceSearch::BoundByOverlay(Piece& piece, Index simplex)
 {
-  const std::vector<OverlayCover::Part>& parts = this->Cover->FarParts();
+  const std::vector<OverlayCover::Part>& parts = this->Overlay->FarParts();
   const auto farthest = std::max_element(
     parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.Upper < b.Upper; });
   if (farthest != parts.end())
   {
     piece.Upper = std::min(piece.Upper, farthest->Upper + this->Goal.Slack);
-    this->LearnNear(farthest->Corners[farthest->Farthest], farthest->Nearest, piece, simplex);
+    this->UpdateMaxNear(farthest->Corners[farthest->Farthest], farthest->Nearest, piece, simplex);
   }
-  this->Joint.Begin(this->Goal.Slack);
-  this->Joint.Raise(this->Cover->Upper());
+  this->CandidateCover.Begin(this->Goal.Slack);
+  this->CandidateCover.Raise(this->Overlay->Upper());
   for (const OverlayCover::Part& part : parts)
   {
     if (part.Upper <= this->Limit())
     {
-      this->Joint.Raise(part.Upper);
+      this->CandidateCover.Raise(part.Upper);
     }
     else
     {
-      this->Joint.Cover(part.Corners.data(), part.Count);
+      this->CandidateCover.Cover(part.Corners.data(), part.Count);
       this->AddWithNeighbors(part.Nearest);
     }
   }
@@ -285,50 +285,47 @@ double PieceSearch::Limit() const
 }
 
 //------------------------------------------------------------------------------
-/// Lowers the bound of the piece if a few triangles cover it. Where they are too far, adds the
-/// nearest one or learns the distance.
+/// Lowers the bound of the piece if a few triangles cover it. At a far corner, adds the nearest
+/// triangle or raises the limit.
 void PieceSearch::BoundJointly(Piece& piece, Index simplex)
 {
-  for (bool goesOn = true; goesOn;)
+  for (bool shouldContinue = true; shouldContinue;)
   {
     const double limit = this->Limit();
-    const JointCover::Outcome outcome = this->Joint.Run(limit, JointCover::MaxCorners);
+    const JointCover::Outcome outcome = this->CandidateCover.Run(limit, JointCover::MaxCorners);
     if (outcome == JointCover::Outcome::Covered)
     {
-      piece.Upper = std::min(piece.Upper, this->Joint.Upper() + this->Goal.Slack);
+      piece.Upper = std::min(piece.Upper, this->CandidateCover.Upper() + this->Goal.Slack);
     }
-    goesOn = outcome == JointCover::Outcome::Far &&
-      this->AddNearest(
-        this->LearnNear(this->Joint.FarPosition(), this->Joint.NearestToFar(), piece, simplex),
+    shouldContinue = outcome == JointCover::Outcome::Far &&
+      this->AddNearest(this->UpdateMaxNear(this->CandidateCover.FarPosition(),
+                         this->CandidateCover.NearestToFar(), piece, simplex),
         limit);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Adds to the joint cover what is nearest to a corner, and its neighbors. False if neither the
-/// candidates nor the limit changed.
+/// Adds the nearest triangle and its neighbors to the joint cover. False if neither the candidates
+/// nor the limit changed.
 bool PieceSearch::AddNearest(Index nearest, double limit)
 {
-  if (this->Joint.Has(nearest))
-  {
-    return this->Limit() > limit;
-  }
-  return this->AddWithNeighbors(nearest);
+  return this->CandidateCover.Has(nearest) ? this->Limit() > limit
+                                           : this->AddWithNeighbors(nearest);
 }
 
 //------------------------------------------------------------------------------
 /// False if the joint cover has too many candidates.
 bool PieceSearch::AddWithNeighbors(Index simplex)
 {
-  if (!this->Joint.Add(this->To.CornersOf(simplex), simplex))
+  if (!this->CandidateCover.Add(this->TargetSet.CornersOf(simplex), simplex))
   {
     return false;
   }
-  for (const Index neighbor : this->To.Neighbors(simplex))
+  for (const Index neighbor : this->TargetSet.Neighbors(simplex))
   {
     if (neighbor >= 0)
     {
-      this->Joint.Add(this->To.CornersOf(neighbor), neighbor);
+      this->CandidateCover.Add(this->TargetSet.CornersOf(neighbor), neighbor);
     }
   }
   return true;
@@ -347,7 +344,7 @@ PieceCorner PieceSearch::NewCorner(const Piece& piece, const CutWeights& weights
   }
   const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
   corner.Nearest = piece.Corners[nearest].Nearest;
-  corner.Value = this->To.ValueTo(corner.Position, corner.Nearest);
+  corner.Value = this->TargetSet.ValueTo(corner.Position, corner.Nearest);
   return corner;
 }
 
@@ -378,15 +375,15 @@ void PieceSearch::Cut(const Piece& piece, Index simplex)
 {
   ++this->CutsMade;
   const CutWeights weights =
-    CutChoice(this->To, this->ClosingBound(), this->Goal.Slack).Choose(piece);
+    CutChoice(this->TargetSet, this->ClosingBound(), this->Goal.Slack).Choose(piece);
   PieceCorner corner = this->NewCorner(piece, weights);
   Parts parts = this->Divide(piece, weights, corner);
   if (parts.Upper > this->ClosingBound())
   {
-    const Target::Candidate found = this->To.FindLeast(corner.Position, corner.Nearest);
+    const Target::Candidate found = this->TargetSet.FindLeast(corner.Position, corner.Nearest);
     corner.Value = found.Value;
     corner.Nearest = found.Simplex;
-    this->Learn(corner, simplex);
+    this->UpdateMax(corner, simplex);
     parts = this->Divide(piece, weights, corner);
   }
   int worst = 0;
@@ -395,6 +392,7 @@ void PieceSearch::Cut(const Piece& piece, Index simplex)
     worst = parts.Pieces[i].Upper > parts.Pieces[worst].Upper ? i : worst;
   }
   std::swap(parts.Pieces[worst], parts.Pieces[parts.Count - 1]); // popped first
-  this->Stack.insert(this->Stack.end(), parts.Pieces.begin(), parts.Pieces.begin() + parts.Count);
+  this->OpenPieces.insert(
+    this->OpenPieces.end(), parts.Pieces.begin(), parts.Pieces.begin() + parts.Count);
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PieceSearch.h
- * @brief Branch and bound over the pieces of one simplex; see Search.h.
+ * @brief Branch and bound over the pieces of one simplex (Search.h).
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_PieceSearch_h
 #define BoneDecimate_Core_Proof_Certificate_PieceSearch_h
@@ -21,24 +21,21 @@ class PieceSearch
 {
 public:
   PieceSearch(const Simplices& source, const Target& target, const PointValues& values,
-    const SearchGoal& goal, const MaxExcess& largest);
+    const SearchGoal& goal, const MaxExcess& max);
 
-  /// Closes pieces of a simplex with at most that many cuts.
+  /// Closes pieces of a simplex with at most maxCuts cuts.
   /// @return mm, an upper bound of the excess of the open pieces; minus infinity if all are closed.
-  double Explore(Index simplex, std::int64_t mostCuts);
+  double Explore(Index simplex, std::int64_t maxCuts);
 
   /// Searches one simplex independently of all others.
-  /// @return mm, an upper bound of the excess of this simplex, within the gap if that many cuts are
-  ///   enough.
-  double UpperOf(Index simplex, std::int64_t mostCuts);
+  /// @return mm, an upper bound of its excess, within the gap if maxCuts suffice.
+  double UpperOf(Index simplex, std::int64_t maxCuts);
 
-  const MaxExcess& Largest() const { return this->Most; }
+  const MaxExcess& Max() const { return this->MaxFound; }
   /// mm; pieces are closed if their upper bound does not exceed this.
   double ClosingBound() const;
-  double Closed() const
-  {
-    return this->MaxClosed;
-  } ///< mm, largest upper bound of the closed pieces
+  /// mm, the largest upper bound of the closed pieces.
+  double MaxClosedUpper() const { return this->MaxClosed; }
   std::int64_t Cuts() const { return this->CutsMade; }
 
 private:
@@ -54,7 +51,7 @@ private:
   void Bound(Piece& piece, double parentUpper) const;
   double UpperOver(const Piece& piece, Index simplex, double bound) const;
   double UpperAt(const PieceCorner& corner, Index simplex) const;
-  void Learn(const PieceCorner& corner, Index simplex);
+  void UpdateMax(const PieceCorner& corner, Index simplex);
   PieceCorner NewCorner(const Piece& piece, const CutWeights& weights) const;
   Parts Divide(const Piece& piece, const CutWeights& weights, const PieceCorner& corner) const;
   void Cut(const Piece& piece, Index simplex);
@@ -64,18 +61,18 @@ private:
   void BoundJointly(Piece& piece, Index simplex);
   bool AddWithNeighbors(Index simplex);
   bool AddNearest(Index nearest, double limit);
-  Index LearnNear(const Vector3& position, Index hint, const Piece& piece, Index simplex);
+  Index UpdateMaxNear(const Vector3& position, Index hint, const Piece& piece, Index simplex);
 
   const Simplices& Source;
-  const Target& To;
+  const Target& TargetSet;
   const PointValues& Values;
   const SearchGoal& Goal;
-  MaxExcess Most;
+  MaxExcess MaxFound;
   double MaxClosed = -std::numeric_limits<double>::infinity(); // mm
   std::int64_t CutsMade = 0;
-  std::vector<Piece> Stack;
-  JointCover Joint;
-  std::shared_ptr<OverlayCover> Cover; // null: pieces are not bounded by covers
+  std::vector<Piece> OpenPieces;
+  JointCover CandidateCover;
+  std::shared_ptr<OverlayCover> Overlay; // null: covers are not used
 };
 }
 

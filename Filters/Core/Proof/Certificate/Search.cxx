@@ -43,38 +43,38 @@ public:
   Rounds(const Simplices& source, const Target& target, const PointValues& values,
     const SearchGoal& goal)
     : Source(source)
-    , To(target)
+    , TargetSet(target)
     , Values(values)
     , Goal(goal)
-    , Open(source.Size())
+    , OpenSimplices(source.Size())
   {
-    std::iota(this->Open.begin(), this->Open.end(), 0);
+    std::iota(this->OpenSimplices.begin(), this->OpenSimplices.end(), 0);
   }
 
   DistanceBounds Run(const KnownBounds& known, const Monitor& monitor)
   {
     this->TakeCorners();
     this->TakeKnown(known);
-    bool goesOn = true;
+    bool shouldContinue = true;
     double from = 0.0;
     double to = ProgressOfFirstRound;
-    for (std::int64_t cuts = FirstCuts; goesOn && this->MayCut(); cuts *= MoreCuts)
+    for (std::int64_t cuts = FirstCuts; shouldContinue && this->MayCut(); cuts *= MoreCuts)
     {
-      goesOn = this->Round(cuts, PartOf(monitor, from, to));
+      shouldContinue = this->Round(cuts, PartOf(monitor, from, to));
       from = to;
       to += 0.5 * (1.0 - to);
     }
-    return goesOn ? this->Bounds() : DistanceBounds();
+    return shouldContinue ? this->Bounds() : DistanceBounds();
   }
 
 private:
   struct Part
   {
-    MaxExcess Largest;
-    double Closed = -Infinity;
-    double Left = -Infinity;
+    MaxExcess Max;
+    double MaxClosed = -Infinity;
+    double MaxOpen = -Infinity;
     std::int64_t Cuts = 0;
-    std::vector<Index> Open;
+    std::vector<Index> OpenSimplices;
   };
 
   void TakeCorners()
@@ -87,85 +87,89 @@ private:
         const Index point = this->Source.Corners[simplex][i];
         const double tolerance =
           this->Source.PointTolerance.empty() ? 0.0 : this->Source.PointTolerance[point];
-        this->Largest.Join({ this->Values.Value[point] - tolerance, tolerance,
+        this->Max.Join({ this->Values.Value[point] - tolerance, tolerance,
           this->Source.Points[point], static_cast<Index>(simplex), this->Values.Simplex[point] });
       }
     }
   }
 
-  /// Closes simplices that are known to lie below what is known to be reached.
+  /// Closes simplices whose known upper bound does not exceed the goal.
   void TakeKnown(const KnownBounds& known)
   {
-    this->Largest.Join(known.Largest);
+    this->Max.Join(known.Max);
     if (known.Upper.empty())
     {
       return;
     }
-    const PieceSearch search(this->Source, this->To, this->Values, this->Goal, this->Largest);
+    const PieceSearch search(this->Source, this->TargetSet, this->Values, this->Goal, this->Max);
     const double goal = search.ClosingBound();
     const auto isClosed = [&](Index simplex) { return known.Upper[simplex] <= goal; };
-    for (const Index simplex : this->Open)
+    for (const Index simplex : this->OpenSimplices)
     {
-      this->Closed =
-        isClosed(simplex) ? std::max(this->Closed, known.Upper[simplex]) : this->Closed;
+      this->MaxClosed =
+        isClosed(simplex) ? std::max(this->MaxClosed, known.Upper[simplex]) : this->MaxClosed;
     }
-    this->Open.erase(
-      std::remove_if(this->Open.begin(), this->Open.end(), isClosed), this->Open.end());
+    this->OpenSimplices.erase(
+      std::remove_if(this->OpenSimplices.begin(), this->OpenSimplices.end(), isClosed),
+      this->OpenSimplices.end());
   }
 
-  bool MayCut() const { return !this->Open.empty() && this->Cuts < this->Goal.MaxCuts; }
+  bool MayCut() const { return !this->OpenSimplices.empty() && this->Cuts < this->Goal.MaxCuts; }
 
-  bool Round(std::int64_t mostCuts, const Monitor& monitor)
+  bool Round(std::int64_t maxCuts, const Monitor& monitor)
   {
     const std::int64_t evenCuts = std::max<std::int64_t>(
-      1, (this->Goal.MaxCuts - this->Cuts) / static_cast<std::int64_t>(this->Open.size()));
-    const std::int64_t cuts = std::min(mostCuts, evenCuts);
-    std::vector<Part> parts(NumberOfChunks(this->Open.size()));
-    const bool goesOn = ForEachChunk(this->Open.size(), this->Goal.NumberOfThreads, monitor,
-      [&](std::size_t chunk, std::size_t first, std::size_t last)
-      { this->SearchPart(first, last, cuts, parts[chunk]); });
-    this->Open.clear();
-    this->Left = -Infinity;
+      1, (this->Goal.MaxCuts - this->Cuts) / static_cast<std::int64_t>(this->OpenSimplices.size()));
+    const std::int64_t cuts = std::min(maxCuts, evenCuts);
+    std::vector<Part> parts(NumberOfChunks(this->OpenSimplices.size()));
+    const bool shouldContinue =
+      ForEachChunk(this->OpenSimplices.size(), this->Goal.NumberOfThreads, monitor,
+        [&](std::size_t chunk, std::size_t first, std::size_t last)
+        { this->SearchPart(first, last, cuts, parts[chunk]); });
+    this->OpenSimplices.clear();
+    this->MaxOpen = -Infinity;
     for (const Part& part : parts)
     {
-      this->Largest.Join(part.Largest);
-      this->Closed = std::max(this->Closed, part.Closed);
-      this->Left = std::max(this->Left, part.Left);
+      this->Max.Join(part.Max);
+      this->MaxClosed = std::max(this->MaxClosed, part.MaxClosed);
+      this->MaxOpen = std::max(this->MaxOpen, part.MaxOpen);
       this->Cuts += part.Cuts;
-      this->Open.insert(this->Open.end(), part.Open.begin(), part.Open.end());
+      this->OpenSimplices.insert(
+        this->OpenSimplices.end(), part.OpenSimplices.begin(), part.OpenSimplices.end());
     }
-    return goesOn;
+    return shouldContinue;
   }
 
   void SearchPart(std::size_t first, std::size_t last, std::int64_t cuts, Part& part) const
   {
-    PieceSearch search(this->Source, this->To, this->Values, this->Goal, this->Largest);
+    PieceSearch search(this->Source, this->TargetSet, this->Values, this->Goal, this->Max);
     for (std::size_t i = first; i < last; ++i)
     {
-      const double left = search.Explore(this->Open[i], cuts);
+      const double left = search.Explore(this->OpenSimplices[i], cuts);
       if (left > -Infinity)
       {
-        part.Open.push_back(this->Open[i]);
-        part.Left = std::max(part.Left, left);
+        part.OpenSimplices.push_back(this->OpenSimplices[i]);
+        part.MaxOpen = std::max(part.MaxOpen, left);
       }
     }
-    part.Largest = search.Largest();
-    part.Closed = search.Closed();
+    part.Max = search.Max();
+    part.MaxClosed = search.MaxClosedUpper();
     part.Cuts = search.Cuts();
   }
 
   DistanceBounds Bounds() const
   {
     DistanceBounds bounds;
-    bounds.Upper = std::max(this->Closed, this->Left);
+    bounds.Upper = std::max(this->MaxClosed, this->MaxOpen);
     bounds.Cuts = this->Cuts;
-    if (this->Largest.Simplex == None)
+    if (this->Max.Simplex == None)
     {
       return bounds; // the source is empty
     }
-    const MaxExcess& found = this->Largest;
-    const double value = this->To.ValueFromBelow(found.Position, found.Value + found.Tolerance);
-    const bool isDistance = this->Source.PointTolerance.empty() && !this->To.HasTolerances();
+    const MaxExcess& found = this->Max;
+    const double value =
+      this->TargetSet.ValueFromBelow(found.Position, found.Value + found.Tolerance);
+    const bool isDistance = this->Source.PointTolerance.empty() && !this->TargetSet.HasTolerances();
     bounds.Lower =
       std::max(value - found.Tolerance - this->Goal.Slack, isDistance ? 0.0 : -Infinity);
     bounds.Position = found.Position;
@@ -175,27 +179,27 @@ private:
   }
 
   const Simplices& Source;
-  const Target& To;
+  const Target& TargetSet;
   const PointValues& Values;
   const SearchGoal& Goal;
-  std::vector<Index> Open; // simplices with pieces that are not closed
-  MaxExcess Largest;
-  double Closed = -Infinity; // mm, the largest upper bound of closed pieces
-  double Left = -Infinity;   // mm, the same of open pieces
+  std::vector<Index> OpenSimplices; // simplices with pieces that are not closed
+  MaxExcess Max;
+  double MaxClosed = -Infinity; // mm, the largest upper bound of closed pieces
+  double MaxOpen = -Infinity;   // mm, the same of open pieces
   std::int64_t Cuts = 0;
 };
 }
 
 //------------------------------------------------------------------------------
-PointValues FindPointValues(const Simplices& source, const Target& target, bool ofAll,
-  double enough, int threads, const Monitor& monitor)
+PointValues FindPointValues(const Simplices& source, const Target& target, bool allPoints,
+  double sufficient, int threads, const Monitor& monitor)
 {
   PointValues values;
   values.Value.assign(source.Points.size(), std::numeric_limits<double>::quiet_NaN());
   values.Simplex.assign(source.Points.size(), None);
   const auto evaluate = [&](std::size_t point, Index hint)
   {
-    const Target::Candidate found = target.FindNear(source.Points[point], hint, enough);
+    const Target::Candidate found = target.FindNear(source.Points[point], hint, sufficient);
     values.Value[point] = found.Value;
     values.Simplex[point] = found.Simplex;
   };
@@ -203,7 +207,7 @@ PointValues FindPointValues(const Simplices& source, const Target& target, bool 
   ForEachChunk(source.Size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      // what is near to a corner of the simplex, if that is known from this chunk
+      // near a corner of the simplex, if one is known from this chunk
       Index hint = None;
       for (std::size_t simplex = first; simplex < last; ++simplex)
       {
@@ -223,7 +227,7 @@ PointValues FindPointValues(const Simplices& source, const Target& target, bool 
         }
       }
     });
-  ForEachId(ofAll ? source.Points.size() : 0, threads,
+  ForEachId(allPoints ? source.Points.size() : 0, threads,
     [&](std::size_t point)
     {
       if (firstOf[point] == None && IsUsable(source.Points[point]))
@@ -235,7 +239,7 @@ PointValues FindPointValues(const Simplices& source, const Target& target, bool 
 }
 
 //------------------------------------------------------------------------------
-DistanceBounds FindLargestExcess(const Simplices& source, const Target& target,
+DistanceBounds FindMaxExcess(const Simplices& source, const Target& target,
   const PointValues& values, const SearchGoal& goal, const KnownBounds& known,
   const Monitor& monitor)
 {

@@ -38,7 +38,7 @@ double AngleBetween(const Vector3& a, const Vector3& b)
 //------------------------------------------------------------------------------
 SideFinder::SideFinder(const Simplices& surface)
   : Surface(surface)
-  , Across(*surface.Across)
+  , Sides(*surface.Sides)
 {
 }
 
@@ -69,7 +69,7 @@ int SideFinder::CornerAt(Index triangle, const Vector3& position) const
 //------------------------------------------------------------------------------
 bool SideFinder::AddEdge(Index triangle, int side, Vector3& normal) const
 {
-  const Index other = this->Across[triangle][side];
+  const Index other = this->Sides[triangle][side];
   if (other < 0)
   {
     return false;
@@ -85,12 +85,12 @@ bool SideFinder::AddFan(Index triangle, int corner, Vector3& normal) const
   const Vector3 tip = this->CornersOf(triangle)[corner];
   Index at = triangle;
   int here = corner;
-  for (std::size_t i = 0; i < this->Across.size(); ++i)
+  for (std::size_t i = 0; i < this->Sides.size(); ++i)
   {
     const std::array<Vector3, 3> corners = this->CornersOf(at);
     normal += AngleBetween(corners[(here + 1) % 3] - tip, corners[(here + 2) % 3] - tip) *
       this->UnitNormal(at);
-    at = this->Across[at][here];
+    at = this->Sides[at][here];
     if (at < 0 || at == triangle)
     {
       return at == triangle;

@@ -6,8 +6,8 @@
  * normal of a triangle, the sum of two normals at an edge, the sum weighted by angles at a corner.
  *
  * J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal,
- * 2005: with these, the side is correct if the surface around the nearest point is closed and
- * consistently oriented.
+ * 2005: the side is correct if the surface around the nearest point is closed and consistently
+ * oriented.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_SideFinder_h
 #define BoneDecimate_Core_Proof_Certificate_SideFinder_h
@@ -26,10 +26,9 @@ public:
 
   /**
    * @param nearestTriangle A triangle that contains the point nearest to p.
-   * @return 1 on the side of the normals (outside), -1 on the other; 0 on the surface, and if the
-   *   nearest point is on a
-   *         boundary, on an edge that is not manifold or not consistently oriented, or on triangles
-   *           without area.
+   * @return 1 on the side of the normals (outside), -1 on the other. 0 on the surface, and where
+   *   the nearest point is on a boundary, on an edge that is not manifold or not consistently
+   *   oriented, or on triangles without area.
    */
   int SideOf(const Vector3& p, Index nearestTriangle) const;
 
@@ -41,7 +40,7 @@ private:
   int CornerAt(Index triangle, const Vector3& position) const;
 
   const Simplices& Surface;
-  const EdgeSides& Across;
+  const EdgeSides& Sides;
 };
 
 /// The side of each point.

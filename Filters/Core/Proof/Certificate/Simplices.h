@@ -22,9 +22,9 @@ struct Simplices
 {
   std::vector<Vector3> Points; ///< mm, in the local frame; may contain points that are not corners
   std::vector<Triangle> Corners; ///< indices into Points
-  /// of the surface from which they come; empty: the index of the simplex
+  /// The triangle of the surface for each simplex. Empty: the index of the simplex.
   std::vector<Index> TriangleIds;
-  const EdgeSides* Across = nullptr;  ///< of a surface; null: the simplices are not joined
+  const EdgeSides* Sides = nullptr;   ///< Null: no surface.
   std::vector<double> PointTolerance; ///< mm, at each point, linear in between; empty: 0
 
   std::size_t Size() const { return this->Corners.size(); }

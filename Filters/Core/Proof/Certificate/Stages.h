@@ -18,35 +18,37 @@ class Stages
 {
 public:
   explicit Stages(const Monitor& outer)
-    : Outer(outer)
+    : OuterMonitor(outer)
   {
   }
 
-  /// The monitor of the next stage.  @param weight Its part of the whole progress, 0 to 1.
+  /// The monitor of the next stage.
+  /// @param weight Its part of the whole progress, 0 to 1.
   Monitor Next(double weight)
   {
-    const double from = this->Begun;
-    this->Begun += weight;
-    return [this, from, weight](double fraction) { return this->Tell(from + fraction * weight); };
+    const double from = this->NextStart;
+    this->NextStart += weight;
+    return [this, from, weight](double fraction) { return this->Report(from + fraction * weight); };
   }
 
   /// Reports a progress of 1.
-  void Finish() { this->Tell(1.0); }
+  void Finish() { this->Report(1.0); }
 
-  bool GoesOn() const { return this->Going; }
+  bool ShouldContinue() const { return !this->IsAborted; }
 
 private:
-  bool Tell(double fraction)
+  bool Report(double fraction)
   {
-    this->Told = std::clamp(fraction, this->Told, 1.0);
-    this->Going = this->Going && (!this->Outer || this->Outer(this->Told));
-    return this->Going;
+    this->Reported = std::clamp(fraction, this->Reported, 1.0);
+    this->IsAborted =
+      this->IsAborted || (this->OuterMonitor && !this->OuterMonitor(this->Reported));
+    return !this->IsAborted;
   }
 
-  const Monitor& Outer;
-  double Begun = 0.0;
-  double Told = 0.0;
-  bool Going = true;
+  const Monitor& OuterMonitor;
+  double NextStart = 0.0;
+  double Reported = 0.0;
+  bool IsAborted = false;
 };
 }
 

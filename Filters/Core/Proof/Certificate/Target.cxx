@@ -53,7 +53,7 @@ void Target::SetTolerances(std::vector<double> tolerances)
 //------------------------------------------------------------------------------
 std::shared_ptr<OverlayCover> Target::BorrowCover() const
 {
-  if (this->Set.Across == nullptr || this->HasTolerances())
+  if (this->Set.Sides == nullptr || this->HasTolerances())
   {
     return nullptr;
   }
@@ -95,14 +95,14 @@ Target::Candidate Target::FindLeast(const Vector3& p, Index hint) const
 
 //------------------------------------------------------------------------------
 /// Walks from the hint to neighbors that are nearer.
-Target::Candidate Target::FindNear(const Vector3& p, Index hint, double enough) const
+Target::Candidate Target::FindNear(const Vector3& p, Index hint, double sufficient) const
 {
   const auto squaredTo = [&](Index simplex)
   {
     const Corners corners = this->CornersOf(simplex);
     return NearestOnTriangle(p, corners[0], corners[1], corners[2]).SquaredDistance;
   };
-  double least = hint != None && enough >= 0.0 ? squaredTo(hint) : -1.0;
+  double least = hint != None && sufficient >= 0.0 ? squaredTo(hint) : -1.0;
   for (Index from = None; least >= 0.0 && from != hint;)
   {
     from = hint;
@@ -114,7 +114,7 @@ Target::Candidate Target::FindNear(const Vector3& p, Index hint, double enough) 
     }
   }
   const Candidate near = { hint, least >= 0.0 ? this->ValueTo(p, hint) : Infinity };
-  return near.Value <= enough ? near : this->FindLeast(p, hint);
+  return near.Value <= sufficient ? near : this->FindLeast(p, hint);
 }
 
 //------------------------------------------------------------------------------

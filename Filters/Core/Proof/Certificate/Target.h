@@ -3,7 +3,7 @@
 /**
  * @file Target.h
  * @brief The set to which distances are certified. The value of a point to a simplex is its
- * distance minus the tolerance of the simplex; its value to the set is the least of these, mm.
+ * distance minus the tolerance of the simplex, mm; its value to the set is the least of these.
  *
  * The tree only finds candidates. The value to any candidate is an upper bound of the value to the
  * set. The lower bound at the maximum is computed from all simplices, without the tree.
@@ -32,8 +32,8 @@ public:
   /// Sets the tolerance of each simplex, mm.
   void SetTolerances(std::vector<double> tolerances);
 
-  /// Lends a cover to one worker. Null if the simplices are no surface, and with tolerances,
-  /// because the cover knows only distances.
+  /// Lends a cover to one worker. Null if the simplices are no surface or have tolerances: a cover
+  /// knows only distances.
   std::shared_ptr<OverlayCover> BorrowCover() const;
 
   struct Candidate
@@ -43,17 +43,16 @@ public:
   };
   /// The simplex of least value among the candidates of the tree.
   Candidate FindLeast(const Vector3& p, Index hint) const;
-  /// FindLeast() if the least value is larger than enough, mm; otherwise any simplex with a value
-  /// up to enough.
-  Candidate FindNear(const Vector3& p, Index hint, double enough) const;
+  /// Any simplex with a value up to sufficient (mm) if there is one, otherwise FindLeast().
+  Candidate FindNear(const Vector3& p, Index hint, double sufficient) const;
 
-  /// Value to this simplex, mm; an upper bound but for rounding.
+  /// Value to this simplex, mm: an upper bound, up to rounding.
   double ValueTo(const Vector3& p, Index simplex) const
   {
     return FindFoot(p, this->CornersOf(simplex)).Distance - this->Tolerance(simplex);
   }
 
-  /// Lower bound of the value to the set, mm, but for rounding.
+  /// Lower bound of the value to the set, mm, up to rounding.
   double ValueFromBelow(const Vector3& p, double startValue) const;
 
   /// A simplex whose corners include all these positions; None if the tree finds none.
@@ -65,10 +64,10 @@ public:
     return this->Tolerances.empty() ? 0.0 : this->Tolerances[simplex];
   }
 
-  /// Across each side of a triangle of a surface.
+  /// The neighbors across the sides of a triangle of a surface.
   const std::array<Index, 3>& Neighbors(Index triangle) const
   {
-    return (*this->Set.Across)[triangle];
+    return (*this->Set.Sides)[triangle];
   }
 
   const certificate::Simplices& All() const { return this->Set; }

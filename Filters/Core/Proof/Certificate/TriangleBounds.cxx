@@ -14,7 +14,7 @@ constexpr std::int64_t MaxCutsOfOne = 4096;
 }
 
 std::vector<double> FindTriangleBounds(const Simplices& source, const Target& target,
-  const PointValues& values, const SearchGoal& goal, MaxExcess& largest, const Monitor& monitor)
+  const PointValues& values, const SearchGoal& goal, MaxExcess& max, const Monitor& monitor)
 {
   std::vector<double> bounds(source.Size(), std::numeric_limits<double>::infinity());
   std::vector<MaxExcess> parts(NumberOfChunks(source.Size()));
@@ -25,12 +25,12 @@ std::vector<double> FindTriangleBounds(const Simplices& source, const Target& ta
       for (std::size_t simplex = first; simplex < last; ++simplex)
       {
         bounds[simplex] = search.UpperOf(static_cast<Index>(simplex), MaxCutsOfOne);
-        parts[chunk].Join(search.Largest());
+        parts[chunk].Join(search.Max());
       }
     });
   for (const MaxExcess& part : parts)
   {
-    largest.Join(part);
+    max.Join(part);
   }
   return bounds;
 }

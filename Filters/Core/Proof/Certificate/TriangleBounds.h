@@ -16,11 +16,11 @@ namespace bonedecimate::certificate
 {
 /**
  * @param goal Its gaps apply to each triangle.
- * @param largest Receives the largest distance that was found.
- * @return mm, for each simplex; after an abort the remaining ones are infinite.
+ * @param max Receives the largest distance found.
+ * @return mm, for each triangle; after an abort the remaining ones are infinite.
  */
 std::vector<double> FindTriangleBounds(const Simplices& source, const Target& target,
-  const PointValues& values, const SearchGoal& goal, MaxExcess& largest, const Monitor& monitor);
+  const PointValues& values, const SearchGoal& goal, MaxExcess& max, const Monitor& monitor);
 }
 
 #endif

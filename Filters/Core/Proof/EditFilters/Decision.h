@@ -11,40 +11,43 @@
 
 namespace bonedecimate
 {
-/// Deferred: the decision needs a part of the mesh that belongs to another worker. It is no
-/// rejection and is not counted; the schedule proposes the edit again when the parts are divided
+/// Deferred: the decision needs a part of the mesh that belongs to another worker. This is no
+/// rejection and is not counted. The schedule proposes the edit again when the mesh is divided
 /// differently.
 class Decision
 {
 public:
   /// Accepted if the reason is NotRejected.
   Decision(Rejection reason)
-    : Why(reason)
+    : RejectionReason(reason)
   {
   }
   static Decision Accept() { return Rejection::NotRejected; }
   static Decision Defer()
   {
     Decision decision = Rejection::NotRejected;
-    decision.IsPostponed = true;
+    decision.MustWait = true;
     return decision;
   }
 
-  bool IsAccepted() const { return this->Why == Rejection::NotRejected && !this->IsPostponed; }
-  bool IsRejected() const { return this->Why != Rejection::NotRejected; }
-  bool IsDeferred() const { return this->IsPostponed; }
+  bool IsAccepted() const
+  {
+    return this->RejectionReason == Rejection::NotRejected && !this->MustWait;
+  }
+  bool IsRejected() const { return this->RejectionReason != Rejection::NotRejected; }
+  bool IsDeferred() const { return this->MustWait; }
   /// NotRejected if it is accepted or deferred.
-  Rejection Reason() const { return this->Why; }
+  Rejection Reason() const { return this->RejectionReason; }
 
   friend bool operator==(Decision a, Decision b)
   {
-    return a.Why == b.Why && a.IsPostponed == b.IsPostponed;
+    return a.RejectionReason == b.RejectionReason && a.MustWait == b.MustWait;
   }
   friend bool operator!=(Decision a, Decision b) { return !(a == b); }
 
 private:
-  Rejection Why;
-  bool IsPostponed = false;
+  Rejection RejectionReason;
+  bool MustWait = false;
 };
 }
 

@@ -17,10 +17,11 @@
  * The order of the filters is part of the result: an edit is rejected for the first reason found,
  * and every Screen runs before any Check.
  *
- * Several workers call Screen, Check and Commit at the same time, each with a Pending of its own
- * and on a part of the mesh of its own. A filter that would have to read another part defers the
- * edit. Or several edits are checked at the same time, each with a Pending of its own and the whole
- * mesh as its part, and committed afterwards, one after the other: Decimate/Schedule/BatchSweep.h.
+ * Workers check in one of two ways. Either several workers call Screen, Check and Commit at the
+ * same time, each with its own Pending and on its own part of the mesh; a filter that would have to
+ * read another part defers the edit. Or several edits are checked at the same time, each with its
+ * own Pending and the whole mesh as its part, and committed one after the other
+ * (Decimate/Schedule/BatchSweep.h).
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_EditFilter_h
 #define BoneDecimate_Core_Proof_EditFilters_EditFilter_h
@@ -37,8 +38,8 @@ namespace bonedecimate
 class EditFilter
 {
 public:
-  /// State of a filter for one worker: what it knows of the edit that was proposed last, for
-  /// Commit, and memory to work with.
+  /// State of a filter for one worker: what it knows of the edit checked last, for Commit, and
+  /// working memory.
   class Pending
   {
   public:
@@ -53,34 +54,36 @@ public:
   /// Whether SurfaceChange has to be filled.
   virtual bool NeedsSurfaceChange() const { return false; }
 
-  /// What is decided at little cost.  @param mesh Before the edit.
+  /// Decides what it can at little cost.
+  /// @param mesh Before the edit.
   virtual Decision Screen(
     const HalfEdgeMesh& /*mesh*/, const SurfaceChange& /*change*/, Pending& /*pending*/) const
   {
     return Decision::Accept();
   }
 
-  /// What Screen does not decide.  @param mesh Before the edit.
+  /// Decides what Screen left open.
+  /// @param mesh Before the edit.
   virtual Decision Check(
     const HalfEdgeMesh& /*mesh*/, const SurfaceChange& /*change*/, Pending& /*pending*/) const
   {
     return Decision::Accept();
   }
 
-  /// mm, after Check: what lies farther away from the faces that the edit changes has no influence
+  /// mm, after Check: what lies farther away from the faces that the edit changes had no influence
   /// on the decision.
   virtual double Reach(const Pending& /*pending*/) const { return 0.0; }
 
-  /// Whether the edit that was checked last is still accepted after others were committed
-  /// that changed no face within Reach.
+  /// Whether the edit checked last is still accepted after others were committed that changed no
+  /// face within Reach.
   virtual bool StillAccepts(
     const HalfEdgeMesh& /*mesh*/, const SurfaceChange& /*change*/, Pending& /*pending*/) const
   {
     return true;
   }
 
-  /// Before a split is proposed: what is known of a vertex holds for the new one, too, whose id a
-  /// removed one had. No other worker is active.
+  /// Copies what is known of a vertex to the one that a split will make, before the split is
+  /// proposed. The id may be that of a removed vertex. No other worker is active.
   virtual void Adopt(VertexId /*made*/, VertexId /*like*/) {}
 
   /// Records the edit that all filters accepted.
@@ -91,7 +94,7 @@ public:
   }
 
   /// Adds its part of the tallies to its own state, in an order that does not depend on the
-  /// threads; no worker is active.
+  /// threads. No worker is active.
   virtual void Settle(Tally* /*tallies*/, std::size_t /*count*/) {}
 };
 }

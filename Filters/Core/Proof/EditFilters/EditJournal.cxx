@@ -9,18 +9,18 @@
 namespace bonedecimate
 {
 EditJournal::EditJournal(const HalfEdgeMesh& mesh)
-  : FirstPoints(static_cast<std::size_t>(mesh.NumberOfVertexSlots()))
-  , HadNormal(static_cast<std::size_t>(mesh.NumberOfFaceSlots()))
-  , OfFace(HadNormal.size(), None)
-  , OfVertex(FirstPoints.size(), None)
+  : InitialPositions(static_cast<std::size_t>(mesh.NumberOfVertexSlots()))
+  , HadFirstNormals(static_cast<std::size_t>(mesh.NumberOfFaceSlots()))
+  , LastEdits(HadFirstNormals.size(), None)
+  , LastMerges(InitialPositions.size(), None)
 {
   for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
-    this->FirstPoints[v] = mesh.Position(v);
+    this->InitialPositions[v] = mesh.Position(v);
   }
   for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
-    this->HadNormal[face] = mesh.HasFirstNormal(face);
+    this->HadFirstNormals[face] = mesh.HasFirstNormal(face);
   }
 }
 
@@ -74,8 +74,8 @@ void EditJournal::Commit(
 }
 
 //------------------------------------------------------------------------------
-/// Edits of workers that were active at the same time have no face in common: one worker's
-/// after another's is a valid order.
+/// Workers that are active at the same time edit no face in common, so the edits of one worker
+/// after those of another are a valid order.
 void EditJournal::Settle(Tally* tallies, std::size_t count)
 {
   for (Tally* tally = tallies; tally != tallies + count; ++tally)
@@ -100,23 +100,23 @@ void EditJournal::Link(JournalEntry entry, const JournalPart::Face* faces)
   {
     const JournalPart::Face& face = faces[i];
     this->Versions.PushBack(this->LastVersion(face.Id, face.Corners));
-    this->OfFace[face.Id] = edit;
+    this->LastEdits[face.Id] = edit;
   }
-  entry.Before = std::exchange(this->OfVertex[entry.Keep], edit);
+  entry.PreviousMerge = std::exchange(this->LastMerges[entry.Keep], edit);
   this->Entries.PushBack(entry);
 }
 
 //------------------------------------------------------------------------------
 Index EditJournal::PositionOf(VertexId vertex) const
 {
-  const Index last = this->OfVertex[vertex];
-  return last == None ? Index(vertex) : static_cast<Index>(this->FirstPoints.size()) + last;
+  const Index last = this->LastMerges[vertex];
+  return last == None ? Index(vertex) : static_cast<Index>(this->InitialPositions.size()) + last;
 }
 
 //------------------------------------------------------------------------------
 FaceVersion EditJournal::LastVersion(FaceId face, const Triangle& corners) const
 {
-  return { face, this->OfFace[face],
+  return { face, this->LastEdits[face],
     { this->PositionOf(corners[0]), this->PositionOf(corners[1]), this->PositionOf(corners[2]) } };
 }
 
@@ -125,26 +125,26 @@ FaceVersion EditJournal::NewFace(Index edit, Index i) const
 {
   const JournalEntry& entry = this->Entries[edit];
   FaceVersion face = this->OldFace(edit, i);
-  face.Made = edit;
+  face.MadeBy = edit;
   for (Index& position : face.Positions)
   {
     const VertexId vertex = this->VertexAt(position);
     const bool isMoved = vertex == entry.Keep || vertex == entry.Gone;
-    position = isMoved ? static_cast<Index>(this->FirstPoints.size()) + edit : position;
+    position = isMoved ? static_cast<Index>(this->InitialPositions.size()) + edit : position;
   }
   return face;
 }
 
 //------------------------------------------------------------------------------
-/// The edit that made a face that the edit replaced; None if no edit made it.
-Index EditJournal::EditBefore(Index edit, FaceId face) const
+/// The edit that made this old face of an edit; None if no edit made it.
+Index EditJournal::MakerOf(Index edit, FaceId face) const
 {
   Index i = 0;
   while (this->OldFace(edit, i).Face != face)
   {
     ++i;
   }
-  return this->OldFace(edit, i).Made;
+  return this->OldFace(edit, i).MadeBy;
 }
 
 //------------------------------------------------------------------------------
@@ -160,7 +160,7 @@ std::vector<Index> EditJournal::DependentsOf(Index edit) const
     all.push_back(at);
     for (Index i = 0; i < this->Entries[at].NumberOfFaces; ++i)
     {
-      for (Index later = this->OfFace[this->OldFace(at, i).Face]; later > at;)
+      for (Index later = this->LastEdits[this->OldFace(at, i).Face]; later > at;)
       {
         const auto position = std::lower_bound(seen.begin(), seen.end(), later);
         if (position == seen.end() || *position != later)
@@ -168,7 +168,7 @@ std::vector<Index> EditJournal::DependentsOf(Index edit) const
           seen.insert(position, later);
           open.push_back(later);
         }
-        later = this->EditBefore(later, this->OldFace(at, i).Face);
+        later = this->MakerOf(later, this->OldFace(at, i).Face);
       }
     }
   }
@@ -183,10 +183,10 @@ void EditJournal::Remove(Index edit)
   for (Index i = 0; i < entry.NumberOfFaces; ++i)
   {
     const FaceVersion& face = this->OldFace(edit, i);
-    this->OfFace[face.Face] = face.Made;
+    this->LastEdits[face.Face] = face.MadeBy;
   }
-  this->OfVertex[entry.Keep] = entry.Before;
+  this->LastMerges[entry.Keep] = entry.PreviousMerge;
   entry.IsUndone = true;
-  ++this->Undone;
+  ++this->UndoneCount;
 }
 }

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EditJournal.h
- * @brief Records what each collapse replaces, so that it can be undone: the last of the edit
- * filters, accepts everything.
+ * @brief Records what each collapse replaces, so that it can be undone. It is the last edit filter
+ * and accepts everything.
  *
- *     entry:      the vertices, the new position, what Editor::Undo cannot
- *                 derive, and the versions of its faces
+ *     entry:      the vertices, the new position, what Editor::Undo cannot derive,
+ *                 and the versions of its faces
  *     version:    a face from one of its edits to the next, with the positions of its corners then
- *     position:   of a vertex from one of its edits to the next: the vertex before the first,
- *                 number of vertices + edit after one
+ *     position:   of a vertex from one of its edits to the next: the id of the vertex before the
+ *                 first edit, number of vertices + edit after an edit
  *     chains:     of each face and of each merged vertex, its edits from the last to the first
  *     undo e:     first every later edit of one of the faces of e, then
  *                 restore the faces (Editor::Undo)
  *
- * An edit depends on the records of its faces and on the positions of their corners alone, and
- * every edit that moves a corner replaces all faces there. So the edits that are left are a valid
- * sequence of edits, in their order, and each replaces the same faces by the same faces as when it
- * was made.
+ * An edit depends only on the versions of its faces and on the positions of their corners, and
+ * every edit that moves a corner replaces all faces there. So the remaining edits, in their order,
+ * are a valid sequence of edits, and each replaces the same faces by the same faces as when it was
+ * made.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_EditJournal_h
 #define BoneDecimate_Core_Proof_EditFilters_EditJournal_h
@@ -32,7 +32,7 @@ namespace bonedecimate
 class EditJournal : public EditFilter
 {
 public:
-  /// @param mesh Whose collapses are recorded, before the first of them.
+  /// @param mesh Before the first collapse that is recorded.
   explicit EditJournal(const HalfEdgeMesh& mesh);
 
   Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
@@ -45,10 +45,10 @@ public:
 
   /// Edits that were recorded, undone ones included.
   Index Count() const { return static_cast<Index>(this->Entries.Size()); }
-  Index NumberOfUndone() const { return this->Undone; }
+  Index NumberOfUndone() const { return this->UndoneCount; }
   const JournalEntry& Entry(Index edit) const { return this->Entries[edit]; }
 
-  /// A face version; those of an entry follow each other from JournalEntry::FirstFace.
+  /// A face version. Those of an entry are consecutive from JournalEntry::FirstFace.
   const FaceVersion& Version(Index version) const { return this->Versions[version]; }
   /// The faces that an edit replaced, removed ones first.
   const FaceVersion& OldFace(Index edit, Index i) const
@@ -62,13 +62,13 @@ public:
 
   VertexId VertexAt(Index position) const
   {
-    const Index vertices = static_cast<Index>(this->FirstPoints.size());
+    const Index vertices = static_cast<Index>(this->InitialPositions.size());
     return position < vertices ? VertexId(position) : this->Entries[position - vertices].Keep;
   }
   const Vector3& PointAt(Index position) const ///< mm
   {
-    const Index vertices = static_cast<Index>(this->FirstPoints.size());
-    return position < vertices ? this->FirstPoints[position]
+    const Index vertices = static_cast<Index>(this->InitialPositions.size());
+    return position < vertices ? this->InitialPositions[position]
                                : this->Entries[position - vertices].NewPosition;
   }
   Triangle VerticesOf(const FaceVersion& face) const
@@ -83,23 +83,23 @@ public:
   }
 
   /// The last edit of a face that is not undone; None if there is none.
-  Index LastOfFace(FaceId face) const { return this->OfFace[face]; }
+  Index LastEditOf(FaceId face) const { return this->LastEdits[face]; }
   /// Whether an edit that is not undone has replaced or removed the face.
-  bool IsChanged(FaceId face) const { return this->OfFace[face] != None; }
+  bool IsChanged(FaceId face) const { return this->LastEdits[face] != None; }
 
-  /// Where the vertex was before the edit that merged into it, mm.
+  /// mm, where the vertex was before the edit that merged into it.
   const Vector3& OldPosition(const JournalEntry& entry) const
   {
-    return entry.Before == None ? this->FirstPoints[entry.Keep]
-                                : this->Entries[entry.Before].NewPosition;
+    return entry.PreviousMerge == None ? this->InitialPositions[entry.Keep]
+                                       : this->Entries[entry.PreviousMerge].NewPosition;
   }
   /// Whether the mesh stored the first normal of a face before the first edit.
-  bool HadFirstNormal(FaceId face) const { return this->HadNormal[face]; }
+  bool HadFirstNormal(FaceId face) const { return this->HadFirstNormals[face]; }
 
-  /// The edit and all later edits that depend on it, the last first:
-  /// the order in which to undo them.
+  /// The edit and all later edits that depend on it, the last first: the order in which to undo
+  /// them.
   std::vector<Index> DependentsOf(Index edit) const;
-  /// Takes the edit out of the chains; nothing that is left may depend on it.
+  /// Removes the edit from the chains. No remaining edit may depend on it.
   void Remove(Index edit);
 
 private:
@@ -110,15 +110,15 @@ private:
   };
   void Link(JournalEntry entry, const JournalPart::Face* faces);
   Index PositionOf(VertexId vertex) const;
-  Index EditBefore(Index edit, FaceId face) const;
+  Index MakerOf(Index edit, FaceId face) const;
 
-  std::vector<Vector3> FirstPoints; // mm, of each vertex
-  std::vector<bool> HadNormal;      // of each face
+  std::vector<Vector3> InitialPositions; // mm, of each vertex
+  std::vector<bool> HadFirstNormals;     // of each face
   ChunkedArray<JournalEntry> Entries;
-  ChunkedArray<FaceVersion> Versions; // that were replaced
-  std::vector<Index> OfFace;          // the last edit of each face
-  std::vector<Index> OfVertex;        // the last edit that merged into each vertex
-  Index Undone = 0;
+  ChunkedArray<FaceVersion> Versions; // all that were replaced
+  std::vector<Index> LastEdits;       // of each face
+  std::vector<Index> LastMerges;      // of each vertex, the last edit that merged into it
+  Index UndoneCount = 0;
 };
 }
 

@@ -8,8 +8,8 @@
  * taken the cheapest edit first: by the largest rank so far in each list, then by list. Parallel
  * workers have no vertex in common, so any order that preserves the order in each list is valid.
  *
- * Flips and moves are many, and no level ends between them: a patch stores their combined changes.
- * So it does for moves that belong to a collapse.
+ * A patch stores the combined changes of many flips and moves: no level ends between them. A
+ * collapse with moves of nearby vertices adds a patch, too.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_EditRecorder_h
 #define BoneDecimate_Core_Proof_EditFilters_EditRecorder_h
@@ -19,7 +19,7 @@
 
 namespace bonedecimate
 {
-/// A filter that accepts every edit. Flips and moves are recorded by BeginPatch and EndPatch.
+/// Accepts every edit. Flips and moves are recorded by BeginPatch and EndPatch.
 class EditRecorder : public EditFilter
 {
 public:
@@ -27,16 +27,16 @@ public:
     const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& pending, Tally& tally) override;
   void Settle(Tally* tallies, std::size_t count) override;
 
-  /// To be called before and after flips and moves.
+  /// To be called before and after a sequence of flips and moves.
   void BeginPatch(const HalfEdgeMesh& mesh);
   void EndPatch(const HalfEdgeMesh& mesh);
 
-  /// Adds the vertices that move with the last collapse that was settled, and the faces that differ
-  /// from those that it leaves.
+  /// Adds the vertices that move with the last settled collapse, and the faces that differ from
+  /// those of the collapse alone.
   void AddNearby(
     const std::vector<VertexMove>& moves, const std::vector<SurfaceChange::Face>& faces);
 
-  /// Positions are in mm from the local origin.
+  /// The log, with positions in mm from the local origin.
   EditLog Take() { return std::move(this->Log); }
 
 private:

@@ -14,7 +14,7 @@ namespace
 {
 /// A closed fragment keeps at least this part of its volume.
 constexpr double MinVolumeRatio = 0.25;
-/// A vertex is edited by its own move and by flips of its edges: about three edges a vertex, and a
+/// Edits of a vertex in a pass: its own move, flips of its edges, about three a vertex, and a
 /// margin.
 constexpr double EditsOfVertex = 8.0;
 }
@@ -23,25 +23,25 @@ FragmentGuard::FragmentGuard(
   const HalfEdgeMesh& mesh, const Surface& surface, const std::vector<Index>& originals)
 {
   Components components = FindComponents(surface, originals);
-  this->OfVertex = std::move(components.OfPoint);
+  this->ComponentOfVertex = std::move(components.OfPoint);
   this->Volumes.resize(static_cast<std::size_t>(components.Count));
   const std::vector<double> volumes = this->Measure(mesh);
   for (std::size_t i = 0; i < volumes.size(); ++i)
   {
-    this->Volumes[i].AtFirst = volumes[i];
-    this->Volumes[i].Now = volumes[i];
+    this->Volumes[i].Initial = volumes[i];
+    this->Volumes[i].Current = volumes[i];
   }
   for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
     if (!mesh.MovesFreely(v))
     {
-      this->Volumes[this->OfVertex[v]].IsClosed = false;
+      this->Volumes[this->ComponentOfVertex[v]].IsClosed = false;
     }
   }
 }
 
-/// Each about a point of its own, so that a small fragment far from the origin keeps its digits.
-/// mm^3
+/// mm^3. Each volume is relative to a point of its component, so that a small fragment far from the
+/// origin keeps its digits.
 std::vector<double> FragmentGuard::Measure(const HalfEdgeMesh& mesh) const
 {
   std::vector<double> volumes(this->Volumes.size(), 0.0);
@@ -53,7 +53,7 @@ std::vector<double> FragmentGuard::Measure(const HalfEdgeMesh& mesh) const
       continue;
     }
     const Triangle c = mesh.Corners(face);
-    const Index fragment = this->OfVertex[c[0]];
+    const Index fragment = this->ComponentOfVertex[c[0]];
     anchor[fragment] = anchor[fragment] == None ? c[0] : anchor[fragment];
     const Vector3& corner = mesh.Position(c[0]);
     volumes[fragment] += Dot(AreaVector(corner, mesh.Position(c[1]), mesh.Position(c[2])),
@@ -72,7 +72,7 @@ std::vector<char> FragmentGuard::FindTooSmall(const HalfEdgeMesh& mesh) const
   {
     const Volume& volume = this->Volumes[i];
     isTooSmall[i] =
-      volume.IsClosed && volume.AtFirst != 0.0 && volumes[i] / volume.AtFirst < MinVolumeRatio ? 1
+      volume.IsClosed && volume.Initial != 0.0 && volumes[i] / volume.Initial < MinVolumeRatio ? 1
                                                                                                : 0;
   }
   return isTooSmall;
@@ -84,14 +84,14 @@ void FragmentGuard::DistributeBudget(const HalfEdgeMesh& mesh)
   std::vector<Index> vertices(this->Volumes.size(), 0);
   for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
-    vertices[this->OfVertex[v]] += mesh.Outgoing(v) != None ? 1 : 0;
+    vertices[this->ComponentOfVertex[v]] += mesh.Outgoing(v) != None ? 1 : 0;
   }
   const std::vector<double> volumes = this->Measure(mesh);
   for (std::size_t i = 0; i < volumes.size(); ++i)
   {
     Volume& volume = this->Volumes[i];
-    volume.Now = volumes[i];
-    const double left = std::abs(volume.Now) - MinVolumeRatio * std::abs(volume.AtFirst);
+    volume.Current = volumes[i];
+    const double left = std::abs(volume.Current) - MinVolumeRatio * std::abs(volume.Initial);
     volume.Budget = std::max(0.0, left) / (EditsOfVertex * std::max(1, vertices[i]));
   }
 }
@@ -99,28 +99,28 @@ void FragmentGuard::DistributeBudget(const HalfEdgeMesh& mesh)
 //------------------------------------------------------------------------------
 bool FragmentGuard::BudgetAllows(const SurfaceChange& change) const
 {
-  const Volume& volume = this->Volumes[this->OfVertex[change.Vertex]];
-  const double gain = volume.AtFirst < 0.0 ? -change.VolumeChange : change.VolumeChange;
-  return !volume.IsClosed || volume.AtFirst == 0.0 || gain >= -volume.Budget;
+  const Volume& volume = this->Volumes[this->ComponentOfVertex[change.Vertex]];
+  const double gain = volume.Initial < 0.0 ? -change.VolumeChange : change.VolumeChange;
+  return !volume.IsClosed || volume.Initial == 0.0 || gain >= -volume.Budget;
 }
 
 //------------------------------------------------------------------------------
-/// What may still be lost is divided evenly among workers that do not know each other's changes.
+/// Divides what may still be lost among workers that do not know each other's changes.
 bool FragmentGuard::MayChange(const SurfaceChange& change, int workers) const
 {
-  const Index component = this->OfVertex[change.Vertex];
+  const Index component = this->ComponentOfVertex[change.Vertex];
   const Volume& volume = this->Volumes[component];
-  if (!volume.IsClosed || volume.AtFirst == 0.0)
+  if (!volume.IsClosed || volume.Initial == 0.0)
   {
     return true;
   }
-  const double gain = change.VolumeChange / volume.AtFirst;
+  const double gain = change.VolumeChange / volume.Initial;
   if (gain >= 0.0)
   {
     return true;
   }
-  const double spare = (volume.Now / volume.AtFirst - MinVolumeRatio) / workers;
-  return spare + change.Unsettled->Of(component) / volume.AtFirst + gain >= 0.0;
+  const double spare = (volume.Current / volume.Initial - MinVolumeRatio) / workers;
+  return spare + change.Unsettled->Of(component) / volume.Initial + gain >= 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -130,7 +130,7 @@ std::shared_ptr<EditFilter::Pending> FragmentGuard::MakePending()
 }
 
 //------------------------------------------------------------------------------
-/// Half of what flips and moves may take away is in the budgets of the vertices.
+/// The budgets of the vertices are half of what flips and moves may remove.
 Decision FragmentGuard::Screen(
   const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
@@ -155,7 +155,7 @@ void FragmentGuard::Commit(
 {
   if (static_cast<Pending&>(pending).ExceedsBudget)
   {
-    tally.Volumes.Add(this->OfVertex[change.Vertex], change.VolumeChange);
+    tally.Volumes.Add(this->ComponentOfVertex[change.Vertex], change.VolumeChange);
   }
 }
 
@@ -166,7 +166,7 @@ void FragmentGuard::Settle(Tally* tallies, std::size_t count)
   {
     for (const FragmentVolumes::Change& settled : tallies[i].Volumes.Changes())
     {
-      this->Volumes[settled.Component].Now += settled.Volume;
+      this->Volumes[settled.Component].Current += settled.Volume;
     }
     tallies[i].Volumes.Clear();
   }

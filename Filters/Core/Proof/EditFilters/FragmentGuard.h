@@ -5,10 +5,10 @@
  * @brief Keeps a quarter of the volume of every closed component, so that none is flattened or
  * turned inside out.
  *
- *     collapse:       rejected if the component, with what the worker has not
- *                     settled yet, would lose too much
- *     flip, move:     allowed within the volume budget of the vertex, which needs no
- *                     bookkeeping; beyond it as a collapse
+ *     collapse:       rejected if the component, with the unsettled edits of the worker,
+ *                     would lose too much
+ *     flip, move:     allowed within the volume budget of the vertex without bookkeeping,
+ *                     beyond it like a collapse
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_FragmentGuard_h
 #define BoneDecimate_Core_Proof_EditFilters_FragmentGuard_h
@@ -29,32 +29,34 @@ public:
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   Decision Screen(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
-  /// Checks the edit with the volume that the other edits left.
+  /// Checks the edit again with the volumes after the other edits.
   bool StillAccepts(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
   void Commit(const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending,
     Tally& tally) override;
-  void Adopt(VertexId made, VertexId like) override { this->OfVertex[made] = this->OfVertex[like]; }
+  void Adopt(VertexId made, VertexId like) override
+  {
+    this->ComponentOfVertex[made] = this->ComponentOfVertex[like];
+  }
   void Settle(Tally* tallies, std::size_t count) override;
 
   /// The number of components.
   Index Count() const { return static_cast<Index>(this->Volumes.size()); }
 
-  Index ComponentOf(VertexId vertex) const { return this->OfVertex[vertex]; }
+  Index ComponentOf(VertexId vertex) const { return this->ComponentOfVertex[vertex]; }
   bool IsClosed(Index component) const { return this->Volumes[component].IsClosed; }
-  /// mm^3, the volume before the first edit less that at the last DistributeBudget, both
-  /// signed; 0 unless it is closed.
+  /// mm^3, the signed volume before the first edit minus that at the last DistributeBudget; 0
+  /// unless the component is closed.
   double LostVolume(Index component) const
   {
     const Volume& volume = this->Volumes[component];
-    return volume.IsClosed ? volume.AtFirst - volume.Now : 0.0;
+    return volume.IsClosed ? volume.Initial - volume.Current : 0.0;
   }
-  /// For each component, whether it is closed and has less than the volume that it has to keep,
-  /// measured again.
+  /// For each component, whether it is closed and now has less than the volume that it must keep.
   std::vector<char> FindTooSmall(const HalfEdgeMesh& mesh) const;
 
-  /// Measures all volumes and divides what closed components may still lose among their vertices,
-  /// so that vertices may be edited at the same time without the changes of other workers.
+  /// Measures all volumes, and divides what closed components may still lose among their vertices.
+  /// Within this budget, vertices may be edited at the same time.
   void DistributeBudget(const HalfEdgeMesh& mesh);
 
 private:
@@ -64,16 +66,16 @@ private:
   };
   struct Volume
   {
-    double AtFirst = 0.0; // mm^3, signed
-    double Now = 0.0;
-    double Budget = 0.0; // mm^3, what an edit of one vertex may take away
+    double Initial = 0.0; // mm^3, signed
+    double Current = 0.0;
+    double Budget = 0.0; // mm^3, that an edit of one vertex may remove
     bool IsClosed = true;
   };
   std::vector<double> Measure(const HalfEdgeMesh& mesh) const;
   bool MayChange(const SurfaceChange& change, int workers) const;
   bool BudgetAllows(const SurfaceChange& change) const;
 
-  std::vector<Index> OfVertex;
+  std::vector<Index> ComponentOfVertex;
   std::vector<Volume> Volumes;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FragmentVolumes.h
- * @brief Volume changes of a worker that are not settled yet, component by component.
+ * @brief Volume changes of a worker that are not settled yet, by component.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_FragmentVolumes_h
 #define BoneDecimate_Core_Proof_EditFilters_FragmentVolumes_h
@@ -49,7 +49,7 @@ public:
   }
 
   const std::vector<Change>& Changes() const { return this->List; }
-  /// Its memory stays.
+  /// Keeps its memory.
   void Clear() { this->List.clear(); }
 
 private:

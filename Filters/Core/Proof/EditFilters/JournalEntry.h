@@ -3,7 +3,7 @@
 /**
  * @file JournalEntry.h
  * @brief A collapse in the journal (EditJournal.h). A draft has a collapse for every second
- * triangle of its input, and ten face versions for each: these records are most of its memory.
+ * triangle of its input, with ten face versions each, so these records are most of its memory.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_JournalEntry_h
 #define BoneDecimate_Core_Proof_EditFilters_JournalEntry_h
@@ -19,7 +19,7 @@ namespace bonedecimate
 struct FaceVersion
 {
   FaceId Face;
-  Index Made = None; ///< The edit that made it; None: it was there before the first.
+  Index MadeBy = None; ///< The edit that made it; None: no edit.
   /// Positions of its corners, for EditJournal::VertexAt and PointAt.
   std::array<Index, 3> Positions;
 };
@@ -29,18 +29,17 @@ struct JournalEntry
   VertexId Keep, Gone;
   Vector3 NewPosition = Vector3::Zero();     ///< mm, of Keep.
   std::array<std::array<Index, 3>, 2> Twins; ///< Twins of the edges of the removed faces.
-  /// Before the edit, of Keep, Gone and the apexes of the removed faces.
+  /// Before the edit: of Keep, Gone and the apexes of the removed faces.
   std::array<HalfEdgeId, 4> Outgoing;
-  Index Before = None; ///< The edit before this one that merged into Keep.
-  Index FirstFace = 0; ///< First of the face versions that it replaced, removed faces first.
+  Index PreviousMerge = None; ///< The edit before this one that merged into Keep.
+  Index FirstFace = 0;        ///< First of its old face versions, removed faces first.
   std::uint16_t NumberOfFaces = 0;
   bool IsUndone = false;
 
   static constexpr Index NumberOfGoneFaces = 2;
 };
 
-/// What a worker has recorded since it was settled last; the faces of one entry after those of
-/// another.
+/// Unsettled records of a worker. The faces of the entries follow each other.
 struct JournalPart
 {
   struct Face

@@ -28,9 +28,8 @@ bool IsAllowed(
   bool isAllowed = !(after > limit);
   for (std::size_t i = 0; i < change.OldFaces.size() && !isAllowed; ++i)
   {
-    const Triangle v = mesh.Corners(change.OldFaces[i]);
-    isAllowed =
-      measure(v, { mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) }) >= after;
+    const FaceId face = change.OldFaces[i];
+    isAllowed = measure(mesh.Corners(face), PositionsOf(mesh, face)) >= after;
   }
   return isAllowed;
 }
@@ -68,8 +67,8 @@ bool ShapeFilter::KeepsLengths(const HalfEdgeMesh& mesh, const SurfaceChange& ch
 }
 
 //------------------------------------------------------------------------------
-/// The square of the largest ratio of a side of a triangle to its local length; 0 if no side is too
-/// long anywhere.
+/// The square of the largest ratio of a side to its local length; 0 if no side is longer than
+/// allowed anywhere.
 double ShapeFilter::SquareOfLongestRatio(const Triangle& vertices, const Corners& at) const
 {
   const double least = this->Limits.MinOfLongest();

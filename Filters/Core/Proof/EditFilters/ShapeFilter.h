@@ -3,11 +3,11 @@
 /**
  * @file ShapeFilter.h
  * @brief No edit makes a triangle with an angle below the least one or a side above the longest,
- * unless a triangle that it replaces was worse.
+ * unless a triangle that it replaces was as bad.
  *
- * So triangles of the input that are worse do not stop collapses, and no edit makes the worst
- * triangle around it worse. A split shortens a side and may make smaller angles for it: flips and
- * moves enlarge them afterwards.
+ * So triangles of the input beyond the limits do not stop collapses, and no edit makes the worst
+ * triangle worse. Splits are exempt: a split shortens a side and may make smaller angles, which
+ * flips and moves enlarge afterwards.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_ShapeFilter_h
 #define BoneDecimate_Core_Proof_EditFilters_ShapeFilter_h

@@ -14,7 +14,7 @@ void SurfaceChange::Fill(const HalfEdgeMesh& mesh, const EdgeNeighborhood& aroun
   this->OldBoundary.clear();
   this->NewBoundary.clear();
   this->BoundaryStays = false;
-  this->Moved = edit.Kind == EditKind::Flip ? VertexId() : edit.Keep;
+  this->MovedVertex = edit.Kind == EditKind::Flip ? VertexId() : edit.Keep;
   switch (edit.Kind)
   {
     case EditKind::Collapse:
@@ -34,7 +34,7 @@ void SurfaceChange::Fill(const HalfEdgeMesh& mesh, const EdgeNeighborhood& aroun
 }
 
 //------------------------------------------------------------------------------
-/// With its boundary edges at one of the two vertices.
+/// Adds an old face, and its boundary edges at one of the two vertices.
 void SurfaceChange::AddOld(const HalfEdgeMesh& mesh, FaceId face, Index at, Index orAt)
 {
   this->OldFaces.push_back(face);
@@ -88,14 +88,14 @@ void SurfaceChange::TakeNewFaces(const HalfEdgeMesh& after)
 }
 
 //------------------------------------------------------------------------------
-/// Different curves may meet in a stationary vertex. There, an edge may only replace an edge of the
-/// same curve.
+/// Several curves may meet in a stationary vertex. There, an edge replaces only an edge of its own
+/// curve.
 void SurfaceChange::AddBoundary(
   const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit)
 {
   const bool keepIsStationary = mesh.IsStationary(edit.Keep);
   const VertexId gone = edit.Keep == around.Start ? around.End : around.Start;
-  const auto onLine = [&](VertexId v) {
+  const auto curveVertex = [&](VertexId v) {
     return !mesh.IsStationary(v) ? v : keepIsStationary ? gone : edit.Keep;
   };
   this->BoundaryStays = keepIsStationary && !around.IsBoundaryEdge();
@@ -107,7 +107,7 @@ void SurfaceChange::AddBoundary(
   for (std::size_t i = 0; i < 2; ++i)
   {
     BoundaryEdge& edge = edges[i];
-    edge.OnLine = { onLine(edge.Vertices[0]), onLine(edge.Vertices[1]) };
+    edge.CurveVertices = { curveVertex(edge.Vertices[0]), curveVertex(edge.Vertices[1]) };
     const auto old = std::find_if(this->OldBoundary.begin(), this->OldBoundary.end(),
       [&](HalfEdgeId h) {
         return i == 0 ? mesh.Target(h) == around.Ring.front()
@@ -119,7 +119,7 @@ void SurfaceChange::AddBoundary(
     }
     if (keepIsStationary && !this->BoundaryStays && around.BoundaryEnds[i] == edit.Keep)
     {
-      this->OldBoundary.erase(old); // edge of the other line of the stationary vertex
+      this->OldBoundary.erase(old); // belongs to another curve
     }
     else
     {
@@ -146,11 +146,11 @@ void SurfaceChange::FillMove(const HalfEdgeMesh& mesh)
   {
     const VertexId from = mesh.Origin(h);
     const VertexId to = mesh.Target(h);
-    const auto onLine = [&](VertexId v) { return mesh.IsStationary(v) ? edit.Keep : v; };
+    const auto curveVertex = [&](VertexId v) { return mesh.IsStationary(v) ? edit.Keep : v; };
     const auto position = [&](VertexId v)
     { return v == edit.Keep ? edit.Position : mesh.Position(v); };
-    this->NewBoundary.push_back(
-      { h, { from, to }, { position(from), position(to) }, None, { onLine(from), onLine(to) } });
+    this->NewBoundary.push_back({ h, { from, to }, { position(from), position(to) }, None,
+      { curveVertex(from), curveVertex(to) } });
   }
 }
 
@@ -181,7 +181,7 @@ void SurfaceChange::FillFlip(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-/// A boundary edge at the same position has another half-edge.
+/// The boundary edge keeps its position and gets another half-edge.
 void SurfaceChange::MoveBoundary(const HalfEdgeMesh& mesh, HalfEdgeId from, HalfEdgeId to)
 {
   if (mesh.Twin(from) == None)
@@ -192,7 +192,7 @@ void SurfaceChange::MoveBoundary(const HalfEdgeMesh& mesh, HalfEdgeId from, Half
 }
 
 //------------------------------------------------------------------------------
-/// As HalfEdgeMesh::SplitFace does it.
+/// Must agree with HalfEdgeMesh::SplitFace.
 void SurfaceChange::SplitFace(
   const HalfEdgeMesh& mesh, HalfEdgeId edge, VertexId vertex, FaceId made)
 {
@@ -212,7 +212,7 @@ void SurfaceChange::SplitFace(
 }
 
 //------------------------------------------------------------------------------
-/// A boundary edge is the only one of its face.
+/// A boundary edge has one face to split.
 void SurfaceChange::FillSplit(const HalfEdgeMesh& mesh)
 {
   const Edit& edit = this->Requested;
@@ -228,10 +228,10 @@ void SurfaceChange::FillSplit(const HalfEdgeMesh& mesh)
     this->SplitFace(mesh, twin, edit.Keep, edit.Made[1]);
     return;
   }
-  const VertexId onLine = mesh.IsStationary(a) ? b : a; // at most one of them is stationary
+  const VertexId curveVertex = mesh.IsStationary(a) ? b : a; // at most one of them is stationary
   const VertexId other = mesh.IsStationary(b) ? a : b;
   this->NewBoundary.push_back({ h, { a, edit.Keep }, { mesh.Position(a), this->Requested.Position },
-    None, { onLine, onLine } });
+    None, { curveVertex, curveVertex } });
   this->NewBoundary.push_back({ HalfEdgeMesh::HalfEdge(edit.Made[0], 0), { edit.Keep, b },
     { this->Requested.Position, mesh.Position(b) }, None, { other, other } });
 }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceChange.h
- * @brief A change of the surface, of any kind of edit: the one argument of rules, filters, proofs,
+ * @brief A change of the surface by any kind of edit: the one argument of rules, filters, proofs,
  * journal and log.
  *
- *     the schedule sets    which worker proposes it, and its estimates
- *     the rules set        the edit, what it means for a component, and its faces: those that it
- *                          removes and those that replace them
- *     the filters accept, reject or defer it, and commit it when it has been made
+ *     the schedule sets    the worker that proposes it, and its estimates
+ *     the rules set        the edit, its component and volume, the faces that it removes
+ *                          and those that replace them
+ *     the filters          accept, reject or defer it, and commit it after it was made
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_SurfaceChange_h
 #define BoneDecimate_Core_Proof_EditFilters_SurfaceChange_h
@@ -31,7 +31,7 @@ struct SurfaceChange
     FaceId Id;
     Triangle Vertices;
     std::array<Vector3, 3> Corners; // mm from the local origin
-    FaceId SplitFrom = {};          // of a face that a split makes: the old one; else None
+    FaceId SplitFrom = {};          // the old face of a face that a split makes; else None
 
     FaceId Old() const { return this->SplitFrom == FaceId() ? this->Id : this->SplitFrom; }
   };
@@ -41,16 +41,16 @@ struct SurfaceChange
     std::array<VertexId, 2> Vertices;
     std::array<Vector3, 2> Ends;
     HalfEdgeId Replaces = None; ///< If BoundaryStays: the old half-edge at the same position.
-    /// Vertices near the ends that lie on this line alone: stationary ones are replaced by one that
-    /// is not.
-    std::array<VertexId, 2> OnLine = {};
+    /// The ends, but a stationary one, where several curves meet, is replaced by a vertex that lies
+    /// on this curve alone.
+    std::array<VertexId, 2> CurveVertices = {};
   };
 
   VertexRange Range;                          ///< What may be read and written.
   int Workers = 1;                            ///< How many edit the mesh at the same time.
   float Rank = 0.0F;                          ///< Cost of a collapse, for the log (EditRecorder.h).
-  double AccumulatedError = 0.0;              ///< mm, of a collapse: the estimate of its schedule.
-  const FragmentVolumes* Unsettled = nullptr; ///< Volumes of the worker that are not settled.
+  double AccumulatedError = 0.0;              ///< mm, the schedule's estimate for a collapse.
+  const FragmentVolumes* Unsettled = nullptr; ///< Volumes of the worker.
 
   /// The edit; the first one if an edge is collapsed in several manifold patches.
   Edit Requested;
@@ -58,28 +58,28 @@ struct SurfaceChange
   double VolumeChange = 0.0; ///< mm^3, of that component.
   FaceId OtherGoneFace;      ///< The other face that a collapse removes; None on a boundary.
 
-  double Reach = 0.0; ///< mm, around its faces: what the filters that accepted it have read.
+  double Reach = 0.0; ///< mm around its faces, read by the filters.
 
   // Filled only if a filter needs them.
   std::vector<Index> OldFaces;
-  std::vector<Face> NewFaces; // their ids are among the old ones, or those of removed faces
+  std::vector<Face> NewFaces; // ids of old faces or free ids
   std::vector<Index> OldBoundary;
   std::vector<BoundaryEdge> NewBoundary;
-  bool BoundaryStays = false; ///< The boundary's edges keep their positions and only change faces.
-  std::array<VertexId, 2> Ends; ///< Vertices whose faces change all.
-  VertexId Moved;               ///< The vertex that is new or moves; None if none is.
+  bool BoundaryStays = false;   ///< Boundary edges only change faces.
+  std::array<VertexId, 2> Ends; ///< All faces of these vertices change.
+  VertexId MovedVertex;         ///< The vertex that is new or moves; None if none is.
 
-  /// Fills the faces by the edit that is requested.
-  /// @param around Neighborhood of the edge, for a collapse only.
+  /// Fills the faces for the requested edit.
+  /// @param around Neighborhood of the edge; only for a collapse.
   void Fill(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around);
-  /// Adds the collapse in one more manifold patch; all collapses end at one original vertex.
+  /// Adds a collapse in another manifold patch that ends at the same original vertex.
   void AddCollapse(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Edit& edit);
-  /// Takes those of the old faces that are left, as the edit made them.
+  /// Replaces the new faces by the old ones that still exist, as the edit left them.
   void TakeNewFaces(const HalfEdgeMesh& after);
 
 private:
   void FillMove(const HalfEdgeMesh& mesh);
-  /// The mesh must turn the edge as HalfEdgeMesh::Flip says.
+  /// Must agree with HalfEdgeMesh::Flip.
   void FillFlip(const HalfEdgeMesh& mesh);
   void FillSplit(const HalfEdgeMesh& mesh);
   void AddOld(const HalfEdgeMesh& mesh, FaceId face, Index at, Index orAt);

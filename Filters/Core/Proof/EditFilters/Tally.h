@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Tally.h
- * @brief What the edits of a worker amount to until the editor settles it.
+ * @brief Counters and records of a worker that are not settled yet.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_Tally_h
 #define BoneDecimate_Core_Proof_EditFilters_Tally_h

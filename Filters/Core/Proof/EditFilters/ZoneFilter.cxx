@@ -11,9 +11,9 @@ Decision ZoneFilter::Screen(
 {
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
-    for (std::size_t i = 0; i < 3 && this->Inside; ++i)
+    for (std::size_t i = 0; i < 3 && this->AllowedZone; ++i)
     {
-      if (!this->Inside->Contains(face.Corners[i]) && !mesh.IsConstrained(face.Vertices[i]))
+      if (!this->AllowedZone->Contains(face.Corners[i]) && !mesh.IsConstrained(face.Vertices[i]))
       {
         return Rejection::Constrained;
       }

@@ -5,10 +5,10 @@
  * @brief Keeps edits between two parallel planes, and new faces away from neighbors that other runs
  * edit at the same time.
  *
- * What lies between two planes is convex: new faces with all corners there stay there. Zones that
- * do not overlap can be edited independently, and no face of one can intersect a face of another.
- * If the distance from neighbors is more than how far another run may move its part, no new face of
- * one run meets a face of the other.
+ * The zone between two planes is convex: new faces with all corners in it stay in it. So zones that
+ * do not overlap can be edited independently, and no face of one intersects a face of another. If
+ * the distance from neighbors exceeds what another run may move them, no new face of one run meets
+ * a face of the other.
  */
 #ifndef BoneDecimate_Core_Proof_EditFilters_ZoneFilter_h
 #define BoneDecimate_Core_Proof_EditFilters_ZoneFilter_h
@@ -25,23 +25,23 @@ namespace bonedecimate
 class ZoneFilter : public EditFilter
 {
 public:
-  /// @param zone Relative to the origin of the mesh; none: everywhere.
+  /// @param zone Relative to the origin of the mesh. Nothing: everywhere.
   ZoneFilter(const std::optional<Zone>& zone, Neighborhood neighbors)
-    : Inside(zone)
+    : AllowedZone(zone)
     , Neighbors(std::move(neighbors))
   {
   }
 
   bool NeedsSurfaceChange() const override { return true; }
-  /// Corners of new faces are inside, or vertices that do not move.
+  /// Corners of new faces that are not constrained vertices must be in the zone.
   Decision Screen(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
-  /// New faces keep the distance from the neighbors.
+  /// New faces must keep the distance from the neighbors.
   Decision Check(const HalfEdgeMesh& mesh, const SurfaceChange& change,
     EditFilter::Pending& pending) const override;
 
 private:
-  std::optional<Zone> Inside;
+  std::optional<Zone> AllowedZone;
   Neighborhood Neighbors;
 };
 }

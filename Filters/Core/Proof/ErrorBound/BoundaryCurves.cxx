@@ -48,7 +48,7 @@ BoundaryProof::Segment BoundaryCurves::Ends(Index edge) const
 //------------------------------------------------------------------------------
 double BoundaryCurves::Distance(const Vector3& p, Index edge) const
 {
-  return std::sqrt(BoundaryProof::SquaredReach(this->Ends(edge), p));
+  return std::sqrt(BoundaryProof::SquaredDistance(this->Ends(edge), p));
 }
 
 //------------------------------------------------------------------------------

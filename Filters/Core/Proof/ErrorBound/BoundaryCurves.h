@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BoundaryCurves.h
- * @brief The edges of a mesh that have one triangle, as lines to walk along.
+ * @brief The boundary edges of a mesh, which have one triangle each, as curves to walk along.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_BoundaryCurves_h
 #define BoneDecimate_Core_Proof_ErrorBound_BoundaryCurves_h
@@ -25,7 +25,7 @@ public:
   BoundaryProof::Segment Ends(Index edge) const;
   double Distance(const Vector3& p, Index edge) const; ///< mm
 
-  /// The edges before and after; None at the curve's ends, where patch boundaries end, and at
+  /// The edges before and after it. None at an end of the curve: where patch boundaries end, and at
   /// non-manifold vertices.
   const std::array<Index, 2>& NeighborsOf(Index edge) const { return this->Neighbors[edge]; }
 

@@ -6,20 +6,17 @@
 
 namespace bonedecimate
 {
-double BoundaryProof::SquaredReach(const Segment& segment, const Vector3& p)
+double BoundaryProof::SquaredDistance(const Segment& segment, const Vector3& p)
 {
   const double t = NearestFraction(p, segment[0], segment[1]);
   return (segment[0] + t * (segment[1] - segment[0]) - p).squaredNorm();
 }
 
 //------------------------------------------------------------------------------
-std::size_t BoundaryProof::SharedBy(const Piece& piece) const
+std::size_t BoundaryProof::FindCommon(const Piece& piece) const
 {
   const auto isNear = [&piece](const Segment& candidate, std::size_t end)
-  {
-    return SquaredReach(candidate, piece.Ends[end]) <=
-      piece.ErrorLimits[end] * piece.ErrorLimits[end];
-  };
+  { return SquaredDistance(candidate, piece.Ends[end]) <= piece.Limits[end] * piece.Limits[end]; };
   std::size_t i = 0;
   while (i < this->Candidates.size() &&
     !(isNear(this->Candidates[i], 0) && isNear(this->Candidates[i], 1)))

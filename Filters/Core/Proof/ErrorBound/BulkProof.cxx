@@ -4,7 +4,7 @@
 
 #include "Base/Parallel.h"
 #include "Prover.h"
-#include "StartOfWalk.h"
+#include "VertexWalk.h"
 #include "WalkedTargets.h"
 
 #include <algorithm>
@@ -14,21 +14,21 @@ namespace bonedecimate
 {
 BulkProof::BulkProof(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
   const EditJournal& journal, int threads)
-  : Shared(bound)
-  , Allowed(limits)
+  : Bound(bound)
+  , Limits(limits)
   , Mesh(mesh)
   , Journal(journal)
   , Threads(threads)
-  , Originals(bound.Source, limits, mesh)
-  , Found(bound.Source.NumberOfFaceSlots())
+  , ProofOfOriginals(bound.OriginalMesh, limits, mesh)
+  , Coverings(bound.OriginalMesh.NumberOfFaceSlots())
   , ProvedVersion(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
   , IsChanged(ProvedVersion.size(), 0)
   , IsFaceProved(ProvedVersion.size(), 1)
 {
-  for (std::size_t original = 0; !bound.ByFaces.IsEmpty() && original < this->Found.Count();
-       ++original)
+  for (std::size_t original = 0;
+       !bound.FaceCoverage.IsEmpty() && original < this->Coverings.Count(); ++original)
   {
-    this->Found.Set(original, this->CoveringAtFirst(static_cast<Index>(original)));
+    this->Coverings.Set(original, this->InitialCovering(static_cast<Index>(original)));
   }
 }
 
@@ -38,16 +38,16 @@ std::vector<Index> BulkProof::FindFailures(const std::vector<Index>& current)
   this->FindChanged();
   this->ProveFaces();
   const std::vector<char> originals = this->OriginalsToProve();
-  this->Originals.FindNear(originals, current, this->Threads);
+  this->ProofOfOriginals.FindNear(originals, current, this->Threads);
   this->ProveOriginals(originals);
   std::vector<Index> edits;
   for (FaceId face = 0; face < this->Mesh.NumberOfFaceSlots(); ++face)
   {
     if (this->IsFaceProved[face] == 0)
     {
-      edits.push_back(this->Journal.LastOfFace(face));
+      edits.push_back(this->Journal.LastEditOf(face));
     }
-    this->ProvedVersion[face] = this->Journal.LastOfFace(face);
+    this->ProvedVersion[face] = this->Journal.LastEditOf(face);
   }
   for (const Failure& failure : this->Failures)
   {
@@ -74,10 +74,10 @@ void BulkProof::ProveOriginals(const std::vector<char>& originals)
         if (originals[i] != 0)
         {
           Failure failure = { static_cast<Index>(i), {} };
-          const Covering covering = this->Prove(failure.Original, proof, failure.Far);
+          const Covering covering = this->Prove(failure.Triangle, proof, failure.FarPosition);
           if (covering.IsOneFace())
           {
-            this->Found.Set(i, covering);
+            this->Coverings.Set(i, covering);
           }
           else
           {
@@ -95,11 +95,11 @@ void BulkProof::ProveOriginals(const std::vector<char>& originals)
   {
     for (const auto& [original, covering] : part.BySeveral)
     {
-      this->Found.Set(original, covering);
+      this->Coverings.Set(original, covering);
     }
     this->Failures.insert(this->Failures.end(), part.Failures.begin(), part.Failures.end());
   }
-  this->Originals.ForgetNear();
+  this->ProofOfOriginals.ClearNear();
 }
 
 //------------------------------------------------------------------------------
@@ -107,19 +107,19 @@ void BulkProof::FindChanged()
 {
   for (FaceId face = 0; face < this->Mesh.NumberOfFaceSlots(); ++face)
   {
-    this->IsChanged[face] = this->Journal.LastOfFace(face) != this->ProvedVersion[face] ? 1 : 0;
+    this->IsChanged[face] = this->Journal.LastEditOf(face) != this->ProvedVersion[face] ? 1 : 0;
   }
 }
 
 //------------------------------------------------------------------------------
 void BulkProof::ProveFaces()
 {
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Allowed);
+  const WalkedSurface original(this->Bound.OriginalMesh, this->Bound.OriginalTree, this->Limits);
   ForEachChunk(this->IsChanged.size(), this->Threads, {},
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const std::shared_ptr<Prover> prover = this->Shared.BorrowProver();
-      FaceProof& proof = prover->Back;
+      const std::shared_ptr<Prover> prover = this->Bound.BorrowProver();
+      FaceProof& proof = prover->NewFaceProof;
       for (std::size_t i = first; i < last; ++i)
       {
         const FaceId face = static_cast<Index>(i);
@@ -128,23 +128,23 @@ void BulkProof::ProveFaces()
           const bool isThere = this->Mesh.IsAlive(face) && this->Journal.IsChanged(face);
           this->IsFaceProved[i] = !isThere ||
               proof.Prove(original, PositionsOf(this->Mesh, face),
-                this->Shared.Nearest[this->Mesh.Corners(face)[0]])
+                this->Bound.NearTriangles[this->Mesh.Corners(face)[0]])
             ? 1
             : 0;
         }
       }
     });
-  this->Shared.Provers.Clear(); // what follows needs the memory
+  this->Bound.Provers.Clear(); // frees their memory for the next step
 }
 
 //------------------------------------------------------------------------------
-/// Marks originals that are not proved, or were proved by a face that has changed.
+/// Marks originals that are not proved, or of which a covering face has changed.
 std::vector<char> BulkProof::OriginalsToProve() const
 {
-  std::vector<char> originals(this->Found.Count(), 0);
+  std::vector<char> originals(this->Coverings.Count(), 0);
   for (std::size_t i = 0; i < originals.size(); ++i)
   {
-    const Covering covering = this->Found.Of(i);
+    const Covering covering = this->Coverings.Of(i);
     const auto end = covering.Faces.begin() + covering.Count;
     const bool hasChanged = std::any_of(
       covering.Faces.begin(), end, [this](Index face) { return this->IsChanged[face] != 0; });
@@ -154,18 +154,18 @@ std::vector<char> BulkProof::OriginalsToProve() const
 }
 
 //------------------------------------------------------------------------------
-Covering BulkProof::CoveringAtFirst(Index original) const
+Covering BulkProof::InitialCovering(Index original) const
 {
   Covering covering;
-  if (this->Shared.ByFaces.IsEmpty())
+  if (this->Bound.FaceCoverage.IsEmpty())
   {
     covering.Faces[0] = original;
     covering.Count = 1;
     return covering;
   }
-  for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
+  for (int slot = 0; slot < Coverage::SlotsPerElement; ++slot)
   {
-    const Index face = this->Shared.ByFaces.CoveringElement(original, slot);
+    const Index face = this->Bound.FaceCoverage.CoveringElement(original, slot);
     if (face != None)
     {
       covering.Faces[static_cast<std::size_t>(covering.Count++)] = face;
@@ -175,7 +175,7 @@ Covering BulkProof::CoveringAtFirst(Index original) const
 }
 
 //------------------------------------------------------------------------------
-bool BulkProof::IsAsAtFirst(const Covering& covering) const
+bool BulkProof::IsUnchanged(const Covering& covering) const
 {
   return covering.Count > 0 &&
     std::none_of(covering.Faces.begin(), covering.Faces.begin() + covering.Count,
@@ -185,36 +185,35 @@ bool BulkProof::IsAsAtFirst(const Covering& covering) const
 //------------------------------------------------------------------------------
 Covering BulkProof::Prove(Index original, CommonFaceProof& proof, std::optional<Vector3>& far) const
 {
-  Covering covering = this->CoveringAtFirst(original);
-  if (this->IsAsAtFirst(covering))
+  Covering covering = this->InitialCovering(original);
+  if (this->IsUnchanged(covering))
   {
     return covering;
   }
-  return this->Originals.Prove(original, proof, far);
+  return this->ProofOfOriginals.Prove(original, proof, far);
 }
 
 //------------------------------------------------------------------------------
-/// The last edit of the face nearest to the point that is too far away, or else LastEditAt().
+/// The last edit of the face nearest to the far point, or else LastEditAt().
 Index BulkProof::EditToUndo(const Failure& failure, const std::vector<Index>& current) const
 {
   Index edit = None;
-  if (failure.Far)
+  if (failure.FarPosition)
   {
-    const VertexId corner = this->Shared.Source.Corners(failure.Original)[0];
-    const StartOfWalk starts(this->Mesh);
-    edit = this->Journal.LastOfFace(starts.FindNear(*failure.Far, current[corner]).Face);
+    const VertexId corner = this->Bound.OriginalMesh.Corners(failure.Triangle)[0];
+    const VertexWalk walk(this->Mesh);
+    edit = this->Journal.LastEditOf(walk.FindNear(*failure.FarPosition, current[corner]).Face);
   }
-  return edit != None ? edit : this->LastEditAt(failure.Original, current);
+  return edit != None ? edit : this->LastEditAt(failure.Triangle, current);
 }
 
 //------------------------------------------------------------------------------
-/// The last edit around the vertices into which its corners were merged; on the last edit of these
-/// more edits depend.
+/// The last edit at the vertices into which its corners were merged.
 Index BulkProof::LastEditAt(Index original, const std::vector<Index>& current) const
 {
   Index last = None;
-  const auto look = [&](Index face) { last = std::max(last, this->Journal.LastOfFace(face)); };
-  for (const Index corner : this->Shared.Source.Corners(original))
+  const auto look = [&](Index face) { last = std::max(last, this->Journal.LastEditOf(face)); };
+  for (const Index corner : this->Bound.OriginalMesh.Corners(original))
   {
     const VertexId v = current[corner];
     if (this->Mesh.MovesFreely(v))
@@ -227,7 +226,7 @@ Index BulkProof::LastEditAt(Index original, const std::vector<Index>& current) c
   }
   if (last == None)
   {
-    const Covering covering = this->CoveringAtFirst(original);
+    const Covering covering = this->InitialCovering(original);
     std::for_each(covering.Faces.begin(), covering.Faces.begin() + covering.Count, look);
   }
   return last;
@@ -236,7 +235,7 @@ Index BulkProof::LastEditAt(Index original, const std::vector<Index>& current) c
 //------------------------------------------------------------------------------
 void BulkProof::WriteCoverage()
 {
-  this->Shared.ByFaces = {}; // two at a time would need their memory
-  this->Shared.ByFaces = this->Found.ToCoverage(this->Mesh.NumberOfFaceSlots());
+  this->Bound.FaceCoverage = {}; // frees its memory first
+  this->Bound.FaceCoverage = this->Coverings.ToCoverage(this->Mesh.NumberOfFaceSlots());
 }
 }

@@ -18,8 +18,8 @@ constexpr double MinFraction = 0.02;
 /// If a weight is nearer to zero than this, the point is on the side of the face.
 constexpr double OnSide = 1e-9;
 
-/// Where a weight that falls from the first to the second value reaches zero; 1 if it ends inside,
-/// wherever it began.
+/// Fraction at which a weight that falls from the first to the second value reaches zero. 1 if it
+/// ends inside.
 double ZeroOf(double first, double second)
 {
   return second >= -OnSide ? 1.0 : first > 0.0 ? first / (first - second) : 0.0;
@@ -32,7 +32,7 @@ CommonFaceProof::CommonFaceProof()
 }
 
 //------------------------------------------------------------------------------
-void CommonFaceProof::AddCandidate(const std::array<Vector3, 3>& corners, double most)
+void CommonFaceProof::AddCandidate(const std::array<Vector3, 3>& corners, double maxDistance)
 {
   const Vector3 ab = corners[1] - corners[0];
   const Vector3 ac = corners[2] - corners[0];
@@ -43,7 +43,7 @@ void CommonFaceProof::AddCandidate(const std::array<Vector3, 3>& corners, double
   const std::array<double, 3> squared = { bb, cc, bb + cc - 2.0 * bc };
   TriangleBatch& batch = this->Candidates[this->Count / TriangleBatch::Size];
   const std::size_t from = this->Count % TriangleBatch::Size;
-  for (std::size_t lane = from; lane < TriangleBatch::Size; ++lane) // the free ones repeat it
+  for (std::size_t lane = from; lane < TriangleBatch::Size; ++lane) // free lanes repeat it
   {
     for (Eigen::Index axis = 0; axis < 3; ++axis)
     {
@@ -57,7 +57,7 @@ void CommonFaceProof::AddCandidate(const std::array<Vector3, 3>& corners, double
     batch.Cc[lane] = cc;
     batch.PerDeterminant[lane] = determinant > MinSquaredSine * bb * cc ? 1.0 / determinant : 0.0;
   }
-  this->Most[this->Count++] = most;
+  this->MaxDistances[this->Count++] = maxDistance;
 }
 
 //------------------------------------------------------------------------------
@@ -65,12 +65,12 @@ CommonFaceProof::Faces CommonFaceProof::FacesNear(const Vector3& p, double limit
 {
   const std::size_t batches = (this->Count + TriangleBatch::Size - 1) / TriangleBatch::Size;
   this->Compute.ReachTriangles(
-    this->Candidates.data(), static_cast<int>(batches), p.data(), this->Squared.data());
+    this->Candidates.data(), static_cast<int>(batches), p.data(), this->SquaredDistances.data());
   Faces near = 0;
   for (std::size_t i = 0; i < this->Count; ++i)
   {
-    const double most = std::min(limit, this->Most[i]);
-    near |= Faces(this->Squared[i] <= most * most ? 1 : 0) << i;
+    const double maxDistance = std::min(limit, this->MaxDistances[i]);
+    near |= Faces(this->SquaredDistances[i] <= maxDistance * maxDistance ? 1 : 0) << i;
   }
   return near;
 }
@@ -94,19 +94,20 @@ std::array<double, 3> CommonFaceProof::Weights(std::size_t candidate, const Vect
 }
 
 //------------------------------------------------------------------------------
-CommonFaceResult CommonFaceProof::Prove(const Piece& whole, Faces& used, std::size_t mostPieces)
+CommonFaceResult CommonFaceProof::Prove(const Piece& whole, Faces& used, std::size_t maxPieces)
 {
   if (std::any_of(
         whole.begin(), whole.end(), [this](const Corner& corner) { return this->IsFar(corner); }))
   {
     return CommonFaceResult::TooFar;
   }
-  this->Open.assign(1, whole);
-  for (std::size_t at = 0; at < this->Open.size(); ++at)
+  this->OpenPieces.assign(1, whole);
+  for (std::size_t at = 0; at < this->OpenPieces.size(); ++at)
   {
-    const Piece piece = this->Open[at];
-    const Faces shared = piece[0].Near & piece[1].Near & piece[2].Near;
-    if (shared == 0 && this->Open.size() + 2 > mostPieces)
+    const Piece piece = this->OpenPieces[at];
+    const Faces shared =
+      piece[0].NearCandidates & piece[1].NearCandidates & piece[2].NearCandidates;
+    if (shared == 0 && this->OpenPieces.size() + 2 > maxPieces)
     {
       return CommonFaceResult::Unknown;
     }
@@ -125,11 +126,11 @@ CommonFaceResult CommonFaceProof::Prove(const Piece& whole, Faces& used, std::si
 //------------------------------------------------------------------------------
 bool CommonFaceProof::IsFar(const Corner& corner)
 {
-  if (corner.Near == 0)
+  if (corner.NearCandidates == 0)
   {
-    this->Far = corner.Position;
+    this->FarPoint = corner.Position;
   }
-  return corner.Near == 0;
+  return corner.NearCandidates == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -138,12 +139,12 @@ bool CommonFaceProof::Split(const Piece& piece)
 {
   std::size_t edge = 0;
   bool edgeHasCommon = true;
-  double longest = -1.0; // mm^2, of the edges without a shared face, if there are any
+  double longest = -1.0; // mm^2, among the edges without a common face, if there are any
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Corner& from = piece[i];
     const Corner& to = piece[(i + 1) % 3];
-    const bool hasCommon = (from.Near & to.Near) != 0;
+    const bool hasCommon = (from.NearCandidates & to.NearCandidates) != 0;
     const double length = (to.Position - from.Position).squaredNorm();
     if ((edgeHasCommon && !hasCommon) || (hasCommon == edgeHasCommon && length > longest))
     {
@@ -158,10 +159,10 @@ bool CommonFaceProof::Split(const Piece& piece)
   {
     return false;
   }
-  this->Open.push_back(piece);
-  this->Open.back()[(edge + 1) % 3] = middle;
-  this->Open.push_back(piece);
-  this->Open.back()[edge] = middle;
+  this->OpenPieces.push_back(piece);
+  this->OpenPieces.back()[(edge + 1) % 3] = middle;
+  this->OpenPieces.push_back(piece);
+  this->OpenPieces.back()[edge] = middle;
   return true;
 }
 
@@ -170,20 +171,20 @@ CommonFaceProof::Corner CommonFaceProof::Between(const Corner& from, const Corne
 {
   Corner middle;
   middle.Position = from.Position + t * (to.Position - from.Position);
-  middle.Limit = ErrorLimits::Between(from.Limit, to.Limit, t);
-  middle.Near = this->FacesNear(middle.Position, middle.Limit);
+  middle.Limit = ErrorLimits::Interpolate(from.Limit, to.Limit, t);
+  middle.NearCandidates = this->FacesNear(middle.Position, middle.Limit);
   return middle;
 }
 
 //------------------------------------------------------------------------------
-/// The farthest that a face near the start lies below the edge; the middle if that is too near to
-/// an end.
+/// The largest fraction of the edge over one face near its start; 0.5 if that is too near to an
+/// end.
 double CommonFaceProof::ExitFraction(const Corner& from, const Corner& to) const
 {
   double farthest = 0.0;
   for (std::size_t i = 0; i < this->Count; ++i)
   {
-    if ((from.Near >> i & 1) != 0)
+    if ((from.NearCandidates >> i & 1) != 0)
     {
       const std::array<double, 3> start = this->Weights(i, from.Position);
       const std::array<double, 3> end = this->Weights(i, to.Position);

@@ -5,11 +5,13 @@
  * @brief Which faces of the current mesh prove an original triangle, and which originals a face
  * proves.
  *
- * An item is an original triangle, a covering element a current face that proves a part of it; the
- * same class stores boundary edges of both meshes. An item has eight slots, one cache line. The
- * slots of one covering element form a linked list. A worker may change an item only if its range
- * contains all covering elements of the item, so it never changes the list of another worker. The
- * version of an item tells whether its slots have changed since it was read.
+ * A covered element is an original triangle, a covering element a current face that proves a part
+ * of it. The same class stores boundary edges of both meshes. A covered element has eight slots,
+ * one cache line. The slots with one covering element form a linked list.
+ *
+ * A worker changes the slots of an element only if its range contains all their covering elements,
+ * so it never changes the list of another worker. The version of a covered element tells whether
+ * its slots have changed since it was read.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_Coverage_h
 #define BoneDecimate_Core_Proof_ErrorBound_Coverage_h
@@ -27,14 +29,14 @@ namespace bonedecimate
 class Coverage
 {
 public:
-  static constexpr int SlotsPerItem = 8;
-  /// Counts changes. An edit changes an item at most 16 times, and a version is compared before the
-  /// next edit of that item.
+  static constexpr int SlotsPerElement = 8;
+  /// Counts changes. It may wrap around: an edit changes an element at most 16 times, and a version
+  /// is compared before the next edit of that element.
   using Version = std::uint8_t;
 
-  /// Makes a coverage without items.
+  /// An empty coverage.
   Coverage() = default;
-  /// Initially, no item is covered.
+  /// Initially, no element is covered.
   Coverage(Index items, Index coverings)
     : Items(static_cast<std::size_t>(items))
     , Versions(Items.size(), 0)
@@ -44,13 +46,13 @@ public:
 
   bool IsEmpty() const { return this->Items.empty(); }
 
-  /// Calls visit(item, slot) for all items of the covering element.
+  /// Calls visit(covered, slot) for all that the covering element covers.
   template <typename Visit>
-  void VisitItems(Index covering, Visit visit) const
+  void VisitCovered(Index covering, Visit visit) const
   {
     for (SlotId s = this->Firsts[covering]; s != NoSlot; s = this->Slot(s).Next)
     {
-      visit(static_cast<Index>(s / SlotsPerItem), static_cast<int>(s % SlotsPerItem));
+      visit(static_cast<Index>(s / SlotsPerElement), static_cast<int>(s % SlotsPerElement));
     }
   }
 
@@ -60,10 +62,10 @@ public:
     return this->Items[item][slot].CoveringElement.load(std::memory_order_relaxed);
   }
 
-  /// Read only by the worker that may change the item.
+  /// Only the worker that may change the element may call this.
   Version VersionOf(Index item) const { return this->Versions[item]; }
 
-  /// Clears the list of the covering element; the caller must call Free for its items.
+  /// Clears the list of the covering element; the caller must free its slots.
   void Forget(Index covering) { this->Firsts[covering] = NoSlot; }
   void Free(Index item, int slot)
   {
@@ -82,12 +84,13 @@ public:
     this->Items[item][slot].CoveringElement.store(covering, std::memory_order_relaxed);
     ++this->Versions[item];
     this->Items[item][slot].Next = this->Firsts[covering];
-    this->Firsts[covering] = static_cast<SlotId>(item) * SlotsPerItem + static_cast<SlotId>(slot);
+    this->Firsts[covering] =
+      static_cast<SlotId>(item) * SlotsPerElement + static_cast<SlotId>(slot);
   }
 
 private:
-  /// item * SlotsPerItem + slot. It fits, because a mesh has at most a quarter of the range of
-  /// Index as faces.
+  /// covered * SlotsPerElement + slot. It fits, because a mesh has at most a quarter of the range
+  /// of Index as faces.
   using SlotId = std::uint32_t;
   static constexpr SlotId NoSlot = std::numeric_limits<SlotId>::max();
   struct Entry
@@ -95,9 +98,12 @@ private:
     std::atomic<Index> CoveringElement{ None }; ///< Read by other workers.
     SlotId Next = NoSlot;                       ///< Next slot of the same covering element.
   };
-  const Entry& Slot(SlotId s) const { return this->Items[s / SlotsPerItem][s % SlotsPerItem]; }
+  const Entry& Slot(SlotId s) const
+  {
+    return this->Items[s / SlotsPerElement][s % SlotsPerElement];
+  }
 
-  std::vector<std::array<Entry, SlotsPerItem>> Items;
+  std::vector<std::array<Entry, SlotsPerElement>> Items;
   std::vector<Version> Versions; // of each item
   std::vector<SlotId> Firsts;    // of each covering element
 };

@@ -7,18 +7,18 @@
 namespace bonedecimate
 {
 CoveringList::CoveringList(Index originals)
-  : OfOriginal(static_cast<std::size_t>(originals))
+  : FacesOrPositions(static_cast<std::size_t>(originals))
 {
-  std::iota(this->OfOriginal.begin(), this->OfOriginal.end(), 0);
+  std::iota(this->FacesOrPositions.begin(), this->FacesOrPositions.end(), 0);
 }
 
 //------------------------------------------------------------------------------
 Covering CoveringList::Of(std::size_t original) const
 {
-  const Index number = this->OfOriginal[original];
+  const Index number = this->FacesOrPositions[original];
   if (number < None)
   {
-    return this->Others[PositionOf(number)];
+    return this->CoveringsBySeveral[PositionOf(number)];
   }
   Covering covering;
   covering.Faces[0] = number;
@@ -27,10 +27,10 @@ Covering CoveringList::Of(std::size_t original) const
 }
 
 //------------------------------------------------------------------------------
-/// What was among the others once stays there or leaves its position unused.
+/// A covering that is replaced by a single face leaves its position unused.
 void CoveringList::Set(std::size_t original, const Covering& covering)
 {
-  Index& number = this->OfOriginal[original];
+  Index& number = this->FacesOrPositions[original];
   if (covering.IsOneFace())
   {
     number = covering.Faces[0];
@@ -38,10 +38,10 @@ void CoveringList::Set(std::size_t original, const Covering& covering)
   }
   if (number > None)
   {
-    number = None - 1 - static_cast<Index>(this->Others.size());
-    this->Others.emplace_back();
+    number = None - 1 - static_cast<Index>(this->CoveringsBySeveral.size());
+    this->CoveringsBySeveral.emplace_back();
   }
-  this->Others[PositionOf(number)] = covering;
+  this->CoveringsBySeveral[PositionOf(number)] = covering;
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 /**
  * @file CoveringList.h
  * @brief The covering faces of each original while a draft is proved. Nearly all originals have
- * one, so most of them are a number.
+ * one, which is stored as a number.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_CoveringList_h
 #define BoneDecimate_Core_Proof_ErrorBound_CoveringList_h
@@ -17,7 +17,7 @@ namespace bonedecimate
 {
 struct Covering
 {
-  std::array<Index, Coverage::SlotsPerItem> Faces;
+  std::array<Index, Coverage::SlotsPerElement> Faces;
   int Count = 0;
   bool IsProved = true;
 
@@ -27,25 +27,25 @@ struct Covering
 class CoveringList
 {
 public:
-  /// Each original is covered by the face of its own number.
+  /// Initially, each original is covered by the face with its number.
   explicit CoveringList(Index originals);
 
-  std::size_t Count() const { return this->OfOriginal.size(); }
+  std::size_t Count() const { return this->FacesOrPositions.size(); }
   Covering Of(std::size_t original) const;
-  /// Several workers may do so at the same time if it is one face.
+  /// Several workers may call this at the same time for coverings of one face.
   void Set(std::size_t original, const Covering& covering);
   /// @param coverings Number of faces.
   Coverage ToCoverage(Index coverings) const;
 
 private:
-  /// Position in Others for a number in OfOriginal that is less than None.
+  /// Position in CoveringsBySeveral of a number less than None.
   static std::size_t PositionOf(Index number)
   {
     return static_cast<std::size_t>(None - 1 - number);
   }
 
-  std::vector<Index> OfOriginal; // the face, or less than None: a position
-  std::vector<Covering> Others;
+  std::vector<Index> FacesOrPositions; // of each original: a face, or less than None: PositionOf()
+  std::vector<Covering> CoveringsBySeveral;
 };
 }
 

@@ -5,7 +5,7 @@
 #include "Base/Parallel.h"
 #include "CommonFaceProof.h"
 #include "Prover.h"
-#include "StartOfWalk.h"
+#include "VertexWalk.h"
 #include "WalkedTargets.h"
 
 #include <algorithm>
@@ -14,36 +14,36 @@ namespace bonedecimate
 {
 namespace
 {
-/// Ratio of the limits that a draft uses. With a larger one, the proof that follows rejects more
+/// Ratio of the limits that a draft uses. With a larger one, the proof that follows undoes more
 /// edits than the draft gains.
 constexpr double RatioOfLimit = 0.8;
 /// Accumulated error, as a ratio of the limit, up to which new faces are hardly ever too far away.
 constexpr double SmallAccumulatedError = 0.3;
-/// Ratio of the largest limit below which limits change from triangle to triangle, so that each new
-/// face is proved.
-constexpr double MuchLess = 0.5;
-/// Ratio of the mean edge length of the original: with smaller limits, errors within an edge count.
+/// Ratio of the largest limit. Smaller limits vary from triangle to triangle, so each new face is
+/// proved.
+constexpr double SmallLimitRatio = 0.5;
+/// Ratio of the mean edge length of the original. If the limit is smaller, edges get samples, too.
 constexpr double LimitForEdges = 0.3;
 }
 
 struct DraftFilter::Pending : public EditFilter::Pending
 {
-  struct Held
+  struct Reassignment
   {
     Index Sample;
     FaceId Face;
   };
   CommonFaceProof Distances;
-  std::vector<Held> Moved;
-  Index Nearest = None;   // to the new vertex
-  bool IsLimited = false; // to much less than the bound
+  std::vector<Reassignment> Reassigned;
+  Index Nearest = None;   // original triangle nearest to the new vertex
+  bool IsLimited = false; // whether a limit is small
 };
 
 DraftFilter::DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
   const std::vector<Index>& current, int threads)
-  : Shared(bound)
-  , Allowed(limits)
-  , FirstOfFaces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
+  : Bound(bound)
+  , Limits(limits)
+  , FirstSamples(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
 {
   this->AddVertices();
   this->AddEdges();
@@ -53,72 +53,73 @@ DraftFilter::DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const Hal
 //------------------------------------------------------------------------------
 void DraftFilter::AddVertices()
 {
-  for (VertexId v = 0; v < this->Shared.Source.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < this->Bound.OriginalMesh.NumberOfVertexSlots(); ++v)
   {
     this->Samples.push_back(
-      { this->Shared.Source.Position(v), RatioOfLimit * this->Allowed.At(v), None });
-    this->At.push_back(v);
+      { this->Bound.OriginalMesh.Position(v), RatioOfLimit * this->Limits.At(v), None });
+    this->SampleVertices.push_back(v);
   }
 }
 
 //------------------------------------------------------------------------------
 void DraftFilter::AddEdges()
 {
-  const HalfEdgeMesh& original = this->Shared.Source;
+  const HalfEdgeMesh& original = this->Bound.OriginalMesh;
   const double small = LimitForEdges * original.LengthAtFirst(); // mm
   for (Index i = 0; i < 3 * original.NumberOfFaceSlots(); ++i)
   {
     const HalfEdgeId h = HalfEdgeMesh::HalfEdge(i / 3, i % 3);
     const VertexId from = original.Origin(h);
     const VertexId to = original.Target(h);
-    const double limit = ErrorLimits::Between(this->Allowed.At(from), this->Allowed.At(to), 0.5);
+    const double limit = ErrorLimits::Interpolate(this->Limits.At(from), this->Limits.At(to), 0.5);
     if (original.Twin(h) < h && limit < small)
     {
       this->Samples.push_back(
         { 0.5 * (original.Position(from) + original.Position(to)), RatioOfLimit * limit, None });
-      this->At.push_back(from);
+      this->SampleVertices.push_back(from);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/// To the nearest faces.
+/// Assigns each sample to the nearest face.
 void DraftFilter::Distribute(
   const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads)
 {
-  const StartOfWalk starts(mesh);
+  const VertexWalk walk(mesh);
   std::vector<Index> faces(this->Samples.size());
   ForEachId(faces.size(), threads,
-    [&](std::size_t i)
-    { faces[i] = starts.FindNear(this->Samples[i].Position, current[this->At[i]]).Face; });
+    [&](std::size_t i) {
+      faces[i] = walk.FindNear(this->Samples[i].Position, current[this->SampleVertices[i]]).Face;
+    });
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    this->Samples[i].Next = std::exchange(this->FirstOfFaces[faces[i]], static_cast<Index>(i));
+    this->Samples[i].Next = std::exchange(this->FirstSamples[faces[i]], static_cast<Index>(i));
   }
 }
 
 //------------------------------------------------------------------------------
 void DraftFilter::KeepUnproved(const HalfEdgeMesh& mesh, int threads)
 {
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Allowed);
-  this->IsKept.assign(this->FirstOfFaces.size(), 0);
+  const WalkedSurface original(this->Bound.OriginalMesh, this->Bound.OriginalTree, this->Limits);
+  this->IsKept.assign(this->FirstSamples.size(), 0);
   ForEachChunk(this->IsKept.size(), threads, {},
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const std::shared_ptr<Prover> prover = this->Shared.BorrowProver();
+      const std::shared_ptr<Prover> prover = this->Bound.BorrowProver();
       for (std::size_t i = first; i < last; ++i)
       {
         const FaceId face = static_cast<Index>(i);
         const bool isProved = !mesh.IsAlive(face) ||
-          prover->Back.Prove(
-            original, PositionsOf(mesh, face), this->Shared.Nearest[mesh.Corners(face)[0]]);
+          prover->NewFaceProof.Prove(
+            original, PositionsOf(mesh, face), this->Bound.NearTriangles[mesh.Corners(face)[0]]);
         this->IsKept[i] = isProved ? 0 : 1;
       }
     });
 }
 
 //------------------------------------------------------------------------------
-bool DraftFilter::Keeps(const SurfaceChange& change) const
+bool DraftFilter::HasKeptFace(const SurfaceChange& change) const
 {
   return !this->IsKept.empty() &&
     std::any_of(change.OldFaces.begin(), change.OldFaces.end(),
@@ -136,7 +137,8 @@ Decision DraftFilter::Screen(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending&) const
 {
   const bool isFree = change.Requested.Kind == EditKind::Collapse &&
-    mesh.MovesFreely(change.Ends[0]) && mesh.MovesFreely(change.Ends[1]) && !this->Keeps(change);
+    mesh.MovesFreely(change.Ends[0]) && mesh.MovesFreely(change.Ends[1]) &&
+    !this->HasKeptFace(change);
   return isFree ? Rejection::NotRejected : Rejection::Boundary;
 }
 
@@ -145,7 +147,7 @@ Decision DraftFilter::Check(
   const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
   Pending& work = static_cast<Pending&>(pending);
-  if (change.NewFaces.size() > CommonFaceProof::MaxCandidates - Coverage::SlotsPerItem)
+  if (change.NewFaces.size() > CommonFaceProof::MaxCandidates - Coverage::SlotsPerElement)
   {
     return Rejection::ErrorBound;
   }
@@ -162,14 +164,14 @@ Decision DraftFilter::Check(
 //------------------------------------------------------------------------------
 bool DraftFilter::SamplesAreNear(const SurfaceChange& change, Pending& work) const
 {
-  work.Moved.clear();
+  work.Reassigned.clear();
   work.IsLimited = false;
   for (const Index old : change.OldFaces)
   {
-    for (Index s = this->FirstOfFaces[old]; s != None; s = this->Samples[s].Next)
+    for (Index s = this->FirstSamples[old]; s != None; s = this->Samples[s].Next)
     {
       const Sample& sample = this->Samples[s];
-      work.IsLimited = work.IsLimited || sample.Limit < MuchLess * this->Allowed.Most();
+      work.IsLimited = work.IsLimited || sample.Limit < SmallLimitRatio * this->Limits.Max();
       work.Distances.FacesNear(sample.Position, sample.Limit);
       std::size_t nearest = 0;
       for (std::size_t i = 1; i < change.NewFaces.size(); ++i)
@@ -181,7 +183,7 @@ bool DraftFilter::SamplesAreNear(const SurfaceChange& change, Pending& work) con
       {
         return false;
       }
-      work.Moved.push_back({ s, change.NewFaces[nearest].Id });
+      work.Reassigned.push_back({ s, change.NewFaces[nearest].Id });
     }
   }
   return true;
@@ -190,14 +192,14 @@ bool DraftFilter::SamplesAreNear(const SurfaceChange& change, Pending& work) con
 //------------------------------------------------------------------------------
 bool DraftFilter::NewFacesAreNear(const SurfaceChange& change, Pending& work) const
 {
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Allowed);
+  const WalkedSurface original(this->Bound.OriginalMesh, this->Bound.OriginalTree, this->Limits);
   const auto isNear = [&](const Vector3& p)
   {
     const PieceCover<3>::Corner found = original.Find(p, work.Nearest);
     work.Nearest = found.Nearest;
     return found.Distance <= RatioOfLimit * original.Limit(found.Nearest);
   };
-  work.Nearest = this->Shared.Nearest[change.Moved];
+  work.Nearest = this->Bound.NearTriangles[change.MovedVertex];
   if (!isNear(change.Requested.Position))
   {
     return false;
@@ -216,15 +218,15 @@ bool DraftFilter::NewFacesAreNear(const SurfaceChange& change, Pending& work) co
 }
 
 //------------------------------------------------------------------------------
-/// Where the separation is small, limits change from triangle to triangle, and few points say
+/// Where the separation is small, limits vary from triangle to triangle, and a few points prove
 /// little.
 bool DraftFilter::FacesAreProved(
   const SurfaceChange& change, const WalkedSurface& original, Index nearest) const
 {
-  const std::shared_ptr<Prover> prover = this->Shared.BorrowProver();
+  const std::shared_ptr<Prover> prover = this->Bound.BorrowProver();
   return std::all_of(change.NewFaces.begin(), change.NewFaces.end(),
     [&](const SurfaceChange::Face& face)
-    { return prover->Back.Prove(original, face.Corners, nearest); });
+    { return prover->NewFaceProof.Prove(original, face.Corners, nearest); });
 }
 
 //------------------------------------------------------------------------------
@@ -232,14 +234,15 @@ void DraftFilter::Commit(
   const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending& pending, Tally&)
 {
   const Pending& work = static_cast<const Pending&>(pending);
-  this->Shared.Nearest[change.Moved] = work.Nearest;
+  this->Bound.NearTriangles[change.MovedVertex] = work.Nearest;
   for (const Index old : change.OldFaces)
   {
-    this->FirstOfFaces[old] = None;
+    this->FirstSamples[old] = None;
   }
-  for (const Pending::Held& held : work.Moved)
+  for (const Pending::Reassignment& sample : work.Reassigned)
   {
-    this->Samples[held.Sample].Next = std::exchange(this->FirstOfFaces[held.Face], held.Sample);
+    this->Samples[sample.Sample].Next =
+      std::exchange(this->FirstSamples[sample.Face], sample.Sample);
   }
 }
 }

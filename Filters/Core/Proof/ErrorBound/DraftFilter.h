@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DraftFilter.h
- * @brief In place of ErrorBound while a draft is made: tests samples instead of proving.
- * BulkProof.h proves the result.
+ * @brief Replaces ErrorBound while a draft is made: tests samples, proves nothing. BulkProof.h
+ * proves the result.
  *
- *     samples:   the vertices of the original and, where limits are small, the middles of its edges
+ *     samples:   original vertices and, where limits are small, the midpoints of original edges
  *     near:      within a fixed ratio of the limit there
- *     accepted if no vertex of a boundary or with another constraint is merged, and
- *         every sample that the old faces hold is near a new face, which holds it from then on
+ *     accepted if both ends of the collapsed edge are free to move, and
+ *         every sample of the old faces is near a new face, to which it then belongs
  *         the new vertex is near the original
- *         the centroids and the new edges' middles of the new faces are near the original
+ *         the centroids of the new faces and the midpoints of their new edges are near the original
  *             (not computed while the accumulated error of the schedule is small)
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_DraftFilter_h
@@ -34,8 +34,7 @@ public:
   DraftFilter(ErrorBound& bound, const ErrorLimits& limits, const HalfEdgeMesh& mesh,
     const std::vector<Index>& current, int threads);
 
-  /// Faces that are not within the limits now stay as they are: for a mesh that is not the
-  /// original.
+  /// Keeps all faces that are not within the limits now. For a mesh that is not the original.
   void KeepUnproved(const HalfEdgeMesh& mesh, int threads);
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
@@ -52,7 +51,7 @@ private:
   {
     Vector3 Position; // mm
     double Limit;     // mm
-    Index Next;       // of the same face
+    Index Next;       // in the list of its face
   };
   struct Pending;
   void AddVertices();
@@ -62,14 +61,14 @@ private:
   bool NewFacesAreNear(const SurfaceChange& change, Pending& work) const;
   bool FacesAreProved(
     const SurfaceChange& change, const WalkedSurface& original, Index nearest) const;
-  bool Keeps(const SurfaceChange& change) const;
+  bool HasKeptFace(const SurfaceChange& change) const;
 
-  ErrorBound& Shared;
-  const ErrorLimits& Allowed;
+  ErrorBound& Bound;
+  const ErrorLimits& Limits;
   std::vector<Sample> Samples;
-  std::vector<Index> At;           // of each sample, an original vertex near it
-  std::vector<Index> FirstOfFaces; // the first sample of each face
-  std::vector<char> IsKept;        // of each face; empty: none is
+  std::vector<Index> SampleVertices; // of each sample, an original vertex near it
+  std::vector<Index> FirstSamples;   // the first sample of each face
+  std::vector<char> IsKept;          // of each face; empty: no face is kept
 };
 }
 

@@ -10,34 +10,35 @@ namespace bonedecimate
 {
 namespace
 {
-bool IsAsProved(const Coverage& coverage, const std::vector<CoveredItem>& items)
+bool IsAsProved(const Coverage& coverage, const std::vector<CoveredElement>& elements)
 {
-  return std::all_of(items.begin(), items.end(),
-    [&](const CoveredItem& item) { return coverage.VersionOf(item.Id) == item.Version; });
+  return std::all_of(elements.begin(), elements.end(),
+    [&](const CoveredElement& covered)
+    { return coverage.VersionOf(covered.Id) == covered.Version; });
 }
 
-/// @param gone Covering elements that are replaced by the new ones.
+/// @param gone Covering elements that the new ones replace.
 void Replace(Coverage& coverage, const std::vector<Index>& gone,
-  const std::vector<CoveredItem>& items, const std::vector<Index>& newElements)
+  const std::vector<CoveredElement>& elements, const std::vector<Index>& newElements)
 {
   for (const Index covering : gone)
   {
     coverage.Forget(covering);
   }
-  for (const CoveredItem& item : items)
+  for (const CoveredElement& covered : elements)
   {
-    for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
+    for (int slot = 0; slot < Coverage::SlotsPerElement; ++slot)
     {
-      if ((item.Gone >> slot & 1) != 0)
+      if ((covered.ReplacedSlots >> slot & 1) != 0)
       {
-        coverage.Free(item.Id, slot);
+        coverage.Free(covered.Id, slot);
       }
     }
     for (std::size_t i = 0; i < newElements.size(); ++i)
     {
-      if ((item.Used >> i & 1) != 0)
+      if ((covered.ProvedBy >> i & 1) != 0)
       {
-        coverage.Add(item.Id, newElements[i]);
+        coverage.Add(covered.Id, newElements[i]);
       }
     }
   }
@@ -51,41 +52,41 @@ Vector3 ErrorBoundSettings::Rounded(const Vector3& position) const
 
 //------------------------------------------------------------------------------
 ErrorBound::ErrorBound(
-  const HalfEdgeMesh& atFirst, const BoundingTree& tree, const ErrorBoundSettings& settings)
-  : Source(atFirst)
-  , Tree(tree)
+  const HalfEdgeMesh& original, const BoundingTree& tree, const ErrorBoundSettings& settings)
+  : OriginalMesh(original)
+  , OriginalTree(tree)
   , Settings(settings)
-  , Allowed(atFirst, settings)
-  , Boundaries(atFirst)
-  , NearestBoundary(this->Boundaries.EdgesAtVertices())
-  , Nearest(static_cast<std::size_t>(atFirst.NumberOfVertexSlots()), None)
+  , OriginalLimits(original, settings)
+  , Boundaries(original)
+  , NearBoundaryEdges(this->Boundaries.EdgesAtVertices())
+  , NearTriangles(static_cast<std::size_t>(original.NumberOfVertexSlots()), None)
 {
-  for (FaceId face = 0; face < atFirst.NumberOfFaceSlots(); ++face)
+  for (FaceId face = 0; face < original.NumberOfFaceSlots(); ++face)
   {
-    for (const VertexId v : atFirst.Corners(face))
+    for (const VertexId v : original.Corners(face))
     {
-      const Index known = this->Nearest[v];
-      const bool allowsMore =
-        known == None || this->Allowed.Over(face) >= this->Allowed.Over(known);
-      this->Nearest[v] = allowsMore ? static_cast<Index>(face) : known;
+      const Index known = this->NearTriangles[v];
+      const bool allowsMore = known == None ||
+        this->OriginalLimits.OfTriangle(face) >= this->OriginalLimits.OfTriangle(known);
+      this->NearTriangles[v] = allowsMore ? static_cast<Index>(face) : known;
     }
   }
 }
 
 ErrorBound::ErrorBound(
   const ReferenceMesh& reference, const HalfEdgeMesh& mesh, const ErrorBoundSettings& settings)
-  : Source(reference.Mesh)
-  , Tree(reference.Tree)
-  , CutsOfSource(reference.Cuts)
+  : OriginalMesh(reference.Mesh)
+  , OriginalTree(reference.Tree)
+  , OriginalCuts(reference.Cuts)
   , Settings(settings)
-  , Allowed(reference.Mesh, settings)
-  , ByFaces(reference.Mesh.NumberOfFaceSlots(), mesh.NumberOfFaceSlots())
+  , OriginalLimits(reference.Mesh, settings)
+  , FaceCoverage(reference.Mesh.NumberOfFaceSlots(), mesh.NumberOfFaceSlots())
   , Boundaries(reference.Mesh, reference.Cuts)
-  , ByBoundaries(this->Boundaries.Count(),
+  , BoundaryCoverage(this->Boundaries.Count(),
       static_cast<Index>(HalfEdgeMesh::HalfEdge(mesh.NumberOfFaceSlots(), 0)))
-  , NearestBoundary(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
-  , Nearest(reference.NearTriangle)
-  , Witnesses(this->Nearest.size(), { None, None, None, None })
+  , NearBoundaryEdges(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
+  , NearTriangles(reference.NearTriangle)
+  , Witnesses(this->NearTriangles.size(), { None, None, None, None })
 {
 }
 
@@ -95,7 +96,7 @@ ErrorBound::~ErrorBound() = default;
 std::vector<float> ErrorBound::LimitsOfVertices() const
 {
   std::vector<float> limits;
-  for (VertexId v = 0; v < this->Source.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < this->OriginalMesh.NumberOfVertexSlots(); ++v)
   {
     limits.push_back(static_cast<float>(this->LimitAt(v)));
   }
@@ -116,29 +117,30 @@ std::shared_ptr<EditFilter::Pending> ErrorBound::MakePending()
 }
 
 //------------------------------------------------------------------------------
-/// The first worker builds it, as in IntersectionGuard.
+/// The first worker builds the coverages.
 void ErrorBound::BuildCoverage()
 {
-  const std::lock_guard<std::mutex> lock(this->Building);
-  if (this->ByFaces.IsEmpty())
+  const std::lock_guard<std::mutex> lock(this->BuildMutex);
+  if (this->FaceCoverage.IsEmpty())
   {
-    const Index faces = this->Source.NumberOfFaceSlots();
-    this->ByFaces = Coverage(faces, faces);
+    const Index faces = this->OriginalMesh.NumberOfFaceSlots();
+    this->FaceCoverage = Coverage(faces, faces);
     for (Index face = 0; face < faces; ++face)
     {
-      this->ByFaces.Add(face, face);
+      this->FaceCoverage.Add(face, face);
     }
   }
   if (this->Witnesses.empty())
   {
-    this->Witnesses.assign(this->Nearest.size(), { None, None, None, None });
+    this->Witnesses.assign(this->NearTriangles.size(), { None, None, None, None });
     const Index edges = this->Boundaries.Count();
-    this->ByBoundaries = Coverage(edges,
-      edges == 0 ? 0
-                 : static_cast<Index>(HalfEdgeMesh::HalfEdge(this->Source.NumberOfFaceSlots(), 0)));
+    this->BoundaryCoverage = Coverage(edges,
+      edges == 0
+        ? 0
+        : static_cast<Index>(HalfEdgeMesh::HalfEdge(this->OriginalMesh.NumberOfFaceSlots(), 0)));
     for (Index edge = 0; edge < edges; ++edge)
     {
-      this->ByBoundaries.Add(edge, this->Boundaries.HalfEdge(edge));
+      this->BoundaryCoverage.Add(edge, this->Boundaries.HalfEdge(edge));
     }
   }
 }
@@ -147,10 +149,10 @@ void ErrorBound::BuildCoverage()
 void ErrorBound::Adopt(VertexId made, VertexId like)
 {
   this->BuildCoverage();
-  this->Nearest[made] = this->Nearest[like];
-  if (!this->NearestBoundary.empty()) // as it is if the original has no boundary
+  this->NearTriangles[made] = this->NearTriangles[like];
+  if (!this->NearBoundaryEdges.empty()) // empty: the original has no boundary
   {
-    this->NearestBoundary[made] = this->NearestBoundary[like];
+    this->NearBoundaryEdges[made] = this->NearBoundaryEdges[like];
   }
   this->Witnesses[made] = this->Witnesses[like];
 }
@@ -167,8 +169,8 @@ bool ErrorBound::StillAccepts(
   const HalfEdgeMesh&, const SurfaceChange&, EditFilter::Pending& pending) const
 {
   const EditProof& proof = static_cast<const EditProof&>(pending);
-  return IsAsProved(this->ByFaces, proof.Items) &&
-    IsAsProved(this->ByBoundaries, proof.BoundaryItems);
+  return IsAsProved(this->FaceCoverage, proof.CoveredTriangles) &&
+    IsAsProved(this->BoundaryCoverage, proof.CoveredEdges);
 }
 
 //------------------------------------------------------------------------------
@@ -176,25 +178,25 @@ void ErrorBound::Commit(
   const HalfEdgeMesh&, const SurfaceChange& change, EditFilter::Pending& pending, Tally&)
 {
   EditProof& proof = static_cast<EditProof&>(pending);
-  if (change.Moved != None)
+  if (change.MovedVertex != None)
   {
-    this->Nearest[change.Moved] = proof.Nearest;
+    this->NearTriangles[change.MovedVertex] = proof.NearTriangle;
   }
   proof.NewElements.clear();
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
     proof.NewElements.push_back(face.Id);
   }
-  Replace(this->ByFaces, change.OldFaces, proof.Items, proof.NewElements);
-  if (!change.NewBoundary.empty() && !change.BoundaryStays && change.Moved != None)
+  Replace(this->FaceCoverage, change.OldFaces, proof.CoveredTriangles, proof.NewElements);
+  if (!change.NewBoundary.empty() && !change.BoundaryStays && change.MovedVertex != None)
   {
-    this->NearestBoundary[change.Moved] = proof.NearestBoundary;
+    this->NearBoundaryEdges[change.MovedVertex] = proof.NearBoundaryEdge;
   }
   proof.NewElements.clear();
   for (const SurfaceChange::BoundaryEdge& edge : change.NewBoundary)
   {
     proof.NewElements.push_back(edge.Id);
   }
-  Replace(this->ByBoundaries, change.OldBoundary, proof.BoundaryItems, proof.NewElements);
+  Replace(this->BoundaryCoverage, change.OldBoundary, proof.CoveredEdges, proof.NewElements);
 }
 }

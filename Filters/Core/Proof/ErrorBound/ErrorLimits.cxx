@@ -10,13 +10,14 @@ namespace bonedecimate
 {
 namespace
 {
-/// Relative slack, far more than the rounding of distances and of interpolated points needs, so
-/// that the certificate of the result decides as soon as its bounds are that near to each other.
+/// Relative slack. It is far more than rounding needs: the certificate of the result decides as
+/// soon as its bounds are that near to each other.
 constexpr double RelativeSlack = 2e-4;
-/// Slack for the same rounding, as a ratio of the largest coordinate.
+/// Slack for rounding, as a ratio of the largest coordinate.
 constexpr double AbsoluteSlack = 1e-14;
 
-/// Limits have so many bits, so that they are the same at another distance from the origin.
+/// Limits are rounded down to this number of bits, so they do not depend on the distance from the
+/// origin.
 constexpr int BitsOfLimit = 16;
 
 double RoundedDown(double value)
@@ -26,7 +27,7 @@ double RoundedDown(double value)
   return std::ldexp(std::floor(std::ldexp(fraction, BitsOfLimit)), exponent - BitsOfLimit);
 }
 
-/// mm: for rounding, and for what points that never move are moved by when they are written.
+/// mm, for rounding errors and for the rounding of points that never move when they are written.
 double SlackOf(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
 {
   double size = 0.0;
@@ -42,19 +43,19 @@ double SlackOf(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
 }
 
 ErrorLimits::ErrorLimits(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
-  : Original(original)
+  : OriginalMesh(original)
 {
   this->Slack = SlackOf(original, settings);
   const auto withoutSlack = [this](double error)
   { return RoundedDown(std::max(0.0, error * (1.0 - RelativeSlack) - this->Slack)); };
-  this->Everywhere = withoutSlack(settings.Error);
+  this->MaxLimit = withoutSlack(settings.Error);
   if (settings.Tolerances != nullptr)
   {
-    this->Values.reserve(settings.Tolerances->size());
+    this->VertexLimits.reserve(settings.Tolerances->size());
     for (const double tolerance : *settings.Tolerances)
     {
-      this->Values.push_back(
-        std::min(this->Everywhere, withoutSlack(tolerance >= 0.0 ? tolerance : Infinity)));
+      this->VertexLimits.push_back(
+        std::min(this->MaxLimit, withoutSlack(tolerance >= 0.0 ? tolerance : Infinity)));
     }
   }
 }
@@ -63,22 +64,22 @@ ErrorLimits::ErrorLimits(const HalfEdgeMesh& original, const ErrorBoundSettings&
 void ErrorLimits::Reduce(const std::vector<double>& distances, double part)
 {
   const auto isNear = [](double distance) { return std::isfinite(distance); };
-  if (!this->Differ() && std::any_of(distances.begin(), distances.end(), isNear))
+  if (this->IsUniform() && std::any_of(distances.begin(), distances.end(), isNear))
   {
-    this->Values.assign(distances.size(), this->Everywhere);
+    this->VertexLimits.assign(distances.size(), this->MaxLimit);
   }
-  for (std::size_t v = 0; v < this->Values.size(); ++v)
+  for (std::size_t v = 0; v < this->VertexLimits.size(); ++v)
   {
     if (isNear(distances[v]))
     {
-      this->Values[v] =
-        std::min(this->Values[v], RoundedDown(std::max(0.0, part * distances[v] - this->Slack)));
+      this->VertexLimits[v] = std::min(
+        this->VertexLimits[v], RoundedDown(std::max(0.0, part * distances[v] - this->Slack)));
     }
   }
 }
 
 //------------------------------------------------------------------------------
-double ErrorLimits::Between(double from, double to, double t)
+double ErrorLimits::Interpolate(double from, double to, double t)
 {
   return std::isinf(from) || std::isinf(to) ? Infinity : from + t * (to - from);
 }

@@ -9,23 +9,23 @@ namespace bonedecimate
 namespace
 {
 /// Largest number of pieces of one face.
-constexpr std::size_t MaximumPieces = 256;
-/// After so many halvings a piece usually has few enough input triangles around it for
+constexpr std::size_t MaxPiecesOfFace = 256;
+/// After this many halvings a piece usually has few enough original triangles near it for
 /// CommonFaceProof.
 constexpr int HalvingsBeforeCommonFaces = 2;
-/// Parts that CommonFaceProof may make of a piece.
-constexpr std::size_t MaximumParts = 128;
-constexpr Index MaximumAround = CommonFaceProof::MaxCandidates;
+/// Pieces that CommonFaceProof may make of a piece.
+constexpr std::size_t MaxPartsOfPiece = 128;
+constexpr Index MaxNearTriangles = CommonFaceProof::MaxCandidates;
 }
 
 //------------------------------------------------------------------------------
 bool FaceProof::Prove(const WalkedSurface& target, const std::array<Vector3, 3>& face, Index hint)
 {
-  this->Open.assign(1, { face, hint, 0 });
-  for (std::size_t at = 0; at < this->Open.size(); ++at)
+  this->OpenPieces.assign(1, { face, hint, 0 });
+  for (std::size_t at = 0; at < this->OpenPieces.size(); ++at)
   {
-    const Piece piece = this->Open[at];
-    if (at >= MaximumPieces || !this->ProvePiece(target, piece))
+    const Piece piece = this->OpenPieces[at];
+    if (at >= MaxPiecesOfFace || !this->ProvePiece(target, piece))
     {
       return false;
     }
@@ -56,7 +56,7 @@ bool FaceProof::ProvePiece(const WalkedSurface& target, const Piece& piece)
   {
     return true;
   }
-  if (!target.IsWithin(target.Find(this->Planes.Suspect(), nearest.Nearest)))
+  if (!target.IsWithin(target.Find(this->Planes.SuspectPosition(), nearest.Nearest)))
   {
     return false;
   }
@@ -81,17 +81,15 @@ bool FaceProof::ProvePiece(const WalkedSurface& target, const Piece& piece)
 CommonFaceResult FaceProof::ProveTogether(
   const WalkedSurface& target, const Piece& piece, Index seed)
 {
-  if (!this->GatherAround(target, piece, seed))
+  if (!this->GatherNear(target, piece, seed))
   {
     return CommonFaceResult::Unknown;
   }
   this->CommonFaces.Resize(0);
-  for (const Found& found : this->Around)
+  for (const Entry& entry : this->NearTriangles)
   {
-    const Triangle v = this->Original.Corners(found.Id);
-    this->CommonFaces.AddCandidate({ this->Original.Position(v[0]), this->Original.Position(v[1]),
-                                     this->Original.Position(v[2]) },
-      target.Limit(found.Id));
+    this->CommonFaces.AddCandidate(
+      PositionsOf(this->OriginalMesh, entry.Id), target.Limit(entry.Id));
   }
   constexpr double any = std::numeric_limits<double>::infinity();
   CommonFaceProof::Piece whole;
@@ -100,13 +98,13 @@ CommonFaceResult FaceProof::ProveTogether(
       return CommonFaceProof::Corner{ p, any, this->CommonFaces.FacesNear(p, any) };
     });
   CommonFaceProof::Faces used = 0;
-  return this->CommonFaces.Prove(whole, used, MaximumParts);
+  return this->CommonFaces.Prove(whole, used, MaxPartsOfPiece);
 }
 
 //------------------------------------------------------------------------------
-/// Fills Around with the input triangles that are connected to the seed and may be within their
-/// limit of the piece; false if there are too many.
-bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, Index seed)
+/// Collects the original triangles that are connected to the seed and may be within their limit of
+/// the piece. False if there are too many.
+bool FaceProof::GatherNear(const WalkedSurface& target, const Piece& piece, Index seed)
 {
   const Vector3 middle = (piece.Corners[0] + piece.Corners[1] + piece.Corners[2]) / 3.0;
   double radius = 0.0; // mm, of the piece
@@ -114,22 +112,22 @@ bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, In
   {
     radius = std::max(radius, (corner - middle).norm());
   }
-  this->Around.Clear();
-  this->Around.Insert({ seed });
-  for (Index at = 0; at < this->Around.Size(); ++at)
+  this->NearTriangles.Clear();
+  this->NearTriangles.Insert({ seed });
+  for (Index at = 0; at < this->NearTriangles.Size(); ++at)
   {
     for (Index corner = 0; corner < 3; ++corner)
     {
       const HalfEdgeId twin =
-        this->Original.Twin(HalfEdgeMesh::HalfEdge(this->Around[at].Id, corner));
+        this->OriginalMesh.Twin(HalfEdgeMesh::HalfEdge(this->NearTriangles[at].Id, corner));
       const FaceId face = twin == None ? FaceId() : HalfEdgeMesh::Face(twin);
-      if (face != None && this->Around.Find(face) == None &&
+      if (face != None && this->NearTriangles.Find(face) == None &&
         this->BoxReaches(face, middle, target.Limit(face) + radius))
       {
-        this->Around.Insert({ face });
+        this->NearTriangles.Insert({ face });
       }
     }
-    if (this->Around.Size() > MaximumAround)
+    if (this->NearTriangles.Size() > MaxNearTriangles)
     {
       return false;
     }
@@ -138,13 +136,13 @@ bool FaceProof::GatherAround(const WalkedSurface& target, const Piece& piece, In
 }
 
 //------------------------------------------------------------------------------
-/// Whether the box about an input triangle comes that near (mm).
+/// Whether the box of an original triangle is within a distance (mm) of p.
 bool FaceProof::BoxReaches(FaceId face, const Vector3& p, double distance) const
 {
-  const Triangle v = this->Original.Corners(face);
-  const Vector3& a = this->Original.Position(v[0]);
-  const Vector3& b = this->Original.Position(v[1]);
-  const Vector3& c = this->Original.Position(v[2]);
+  const Triangle v = this->OriginalMesh.Corners(face);
+  const Vector3& a = this->OriginalMesh.Position(v[0]);
+  const Vector3& b = this->OriginalMesh.Position(v[1]);
+  const Vector3& c = this->OriginalMesh.Position(v[2]);
   const Vector3 below = a.cwiseMin(b).cwiseMin(c) - p;
   const Vector3 above = p - a.cwiseMax(b).cwiseMax(c);
   return below.cwiseMax(above).cwiseMax(0.0).squaredNorm() <= distance * distance;
@@ -168,9 +166,9 @@ void FaceProof::Halve(const Piece& piece, Index hint)
   Piece half = { piece.Corners, hint, piece.Halvings + 1 };
   const Vector3 middle = 0.5 * (piece.Corners[edge] + piece.Corners[next]);
   half.Corners[next] = middle;
-  this->Open.push_back(half);
+  this->OpenPieces.push_back(half);
   half.Corners[next] = piece.Corners[next];
   half.Corners[edge] = middle;
-  this->Open.push_back(half);
+  this->OpenPieces.push_back(half);
 }
 }

@@ -16,28 +16,29 @@ namespace bonedecimate
 {
 struct NearFaces
 {
-  static constexpr int Most = 12;
-  std::array<Index, Most> Faces;
-  std::array<float, Most> Squared; // mm^2
+  static constexpr int MaxCount = 12;
+  std::array<Index, MaxCount> Faces;
+  std::array<float, MaxCount> SquaredDistances; // mm^2
   int Count = 0;
 
-  void Insert(Index face, float squared)
+  void Insert(Index face, float squaredDistance)
   {
-    if (this->Count == Most && squared >= this->Squared[Most - 1])
+    if (this->Count == MaxCount && squaredDistance >= this->SquaredDistances[MaxCount - 1])
     {
       return;
     }
-    std::size_t at = static_cast<std::size_t>(this->Count < Most ? this->Count++ : Most - 1);
-    for (; at > 0 && this->Squared[at - 1] > squared; --at)
+    std::size_t at =
+      static_cast<std::size_t>(this->Count < MaxCount ? this->Count++ : MaxCount - 1);
+    for (; at > 0 && this->SquaredDistances[at - 1] > squaredDistance; --at)
     {
-      this->Squared[at] = this->Squared[at - 1];
+      this->SquaredDistances[at] = this->SquaredDistances[at - 1];
       this->Faces[at] = this->Faces[at - 1];
     }
-    this->Squared[at] = squared;
+    this->SquaredDistances[at] = squaredDistance;
     this->Faces[at] = face;
   }
 
-  /// Its position; None if it is not there.
+  /// The position of the face; None if it is not there.
   int Find(Index face) const
   {
     const auto end = this->Faces.begin() + this->Count;

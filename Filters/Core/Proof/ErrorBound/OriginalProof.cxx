@@ -3,7 +3,7 @@
 #include "OriginalProof.h"
 
 #include "Base/Parallel.h"
-#include "StartOfWalk.h"
+#include "VertexWalk.h"
 
 #include <algorithm>
 
@@ -11,16 +11,14 @@ namespace bonedecimate
 {
 namespace
 {
-/// Largest number of pieces of an original, as in Prover.cxx.
-constexpr std::size_t MaxPieces = 256;
-/// Faces that are looked at around an original vertex.
+/// Faces that are searched around an original vertex.
 constexpr std::size_t MaxAround = 40;
 }
 
 OriginalProof::OriginalProof(
   const HalfEdgeMesh& source, const ErrorLimits& limits, const HalfEdgeMesh& mesh)
-  : Source(source)
-  , Allowed(limits)
+  : OriginalMesh(source)
+  , Limits(limits)
   , Mesh(mesh)
 {
 }
@@ -39,35 +37,37 @@ void OriginalProof::Candidates::Add(Index face)
 void OriginalProof::FindNear(
   const std::vector<char>& originals, const std::vector<Index>& current, int threads)
 {
-  this->Near.resize(static_cast<std::size_t>(this->Source.NumberOfVertexSlots()));
-  std::vector<char> isCorner(this->Near.size(), 0);
+  this->FacesNearVertices.resize(
+    static_cast<std::size_t>(this->OriginalMesh.NumberOfVertexSlots()));
+  std::vector<char> isCorner(this->FacesNearVertices.size(), 0);
   for (std::size_t i = 0; i < originals.size(); ++i)
   {
     if (originals[i] != 0)
     {
-      for (const Index corner : this->Source.Corners(static_cast<Index>(i)))
+      for (const Index corner : this->OriginalMesh.Corners(static_cast<Index>(i)))
       {
         isCorner[corner] = 1;
       }
     }
   }
-  const StartOfWalk starts(this->Mesh);
+  const VertexWalk walk(this->Mesh);
   ForEachId(isCorner.size(), threads,
     [&](std::size_t v)
     {
       if (isCorner[v] != 0)
       {
-        this->Near[v] = this->NearTo(static_cast<Index>(v), starts, current[v]);
+        this->FacesNearVertices[v] = this->FindNearFaces(static_cast<Index>(v), walk, current[v]);
       }
     });
 }
 
 //------------------------------------------------------------------------------
 /// The nearest face, and those connected with it by faces within the limit.
-NearFaces OriginalProof::NearTo(VertexId original, const StartOfWalk& starts, VertexId vertex) const
+NearFaces OriginalProof::FindNearFaces(
+  VertexId original, const VertexWalk& walk, VertexId vertex) const
 {
-  const Vector3& p = this->Source.Position(original);
-  const double limit = this->Allowed.At(original);
+  const Vector3& p = this->OriginalMesh.Position(original);
+  const double limit = this->Limits.At(original);
   NearFaces near;
   std::array<Index, MaxAround> around;
   std::size_t count = 0;
@@ -84,7 +84,7 @@ NearFaces OriginalProof::NearTo(VertexId original, const StartOfWalk& starts, Ve
       }
     }
   };
-  add(starts.FindNear(p, vertex).Face);
+  add(walk.FindNear(p, vertex).Face);
   for (std::size_t i = 0; i < count; ++i)
   {
     for (Index corner = 0; corner < 3; ++corner)
@@ -104,9 +104,9 @@ NearFaces OriginalProof::NearTo(VertexId original, const StartOfWalk& starts, Ve
 Covering OriginalProof::Prove(
   Index original, CommonFaceProof& proof, std::optional<Vector3>& far) const
 {
-  const Triangle corners = this->Source.Corners(original);
-  const std::array<const NearFaces*, 3> near = { &this->Near[corners[0]], &this->Near[corners[1]],
-    &this->Near[corners[2]] };
+  const Triangle corners = this->OriginalMesh.Corners(original);
+  const std::array<const NearFaces*, 3> near = { &this->FacesNearVertices[corners[0]],
+    &this->FacesNearVertices[corners[1]], &this->FacesNearVertices[corners[2]] };
   Covering covering;
   covering.Faces[0] = this->NearestToAll(near);
   covering.Count = 1;
@@ -128,8 +128,9 @@ Index OriginalProof::NearestToAll(const std::array<const NearFaces*, 3>& near) c
     const int third = near[2]->Find(face);
     if (second != None && third != None)
     {
-      const float sum = near[0]->Squared[at] + near[1]->Squared[static_cast<std::size_t>(second)] +
-        near[2]->Squared[static_cast<std::size_t>(third)];
+      const float sum = near[0]->SquaredDistances[at] +
+        near[1]->SquaredDistances[static_cast<std::size_t>(second)] +
+        near[2]->SquaredDistances[static_cast<std::size_t>(third)];
       nearest = sum < least ? face : nearest;
       least = std::min(least, sum);
     }
@@ -138,18 +139,18 @@ Index OriginalProof::NearestToAll(const std::array<const NearFaces*, 3>& near) c
 }
 
 //------------------------------------------------------------------------------
-/// Faces near the corners, and those of their neighbors that may be near the inside alone.
+/// Faces near the corners, and their neighbors that may be near the interior.
 OriginalProof::Candidates OriginalProof::CandidatesOf(
   Index original, const std::array<const NearFaces*, 3>& near) const
 {
-  const std::array<Vector3, 3> p = PositionsOf(this->Source, original);
-  const Triangle corners = this->Source.Corners(original);
+  const std::array<Vector3, 3> p = PositionsOf(this->OriginalMesh, original);
+  const Triangle corners = this->OriginalMesh.Corners(original);
   const Vector3 middle = (p[0] + p[1] + p[2]) / 3.0;
   double reach = 0.0; // mm
   Candidates candidates;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    reach = std::max(reach, (p[k] - middle).norm() + this->Allowed.At(corners[k]));
+    reach = std::max(reach, (p[k] - middle).norm() + this->Limits.At(corners[k]));
     std::for_each(near[k]->Faces.begin(), near[k]->Faces.begin() + near[k]->Count,
       [&](Index face) { candidates.Add(face); });
   }
@@ -180,19 +181,19 @@ Covering OriginalProof::ProveTogether(Index original, const std::array<const Nea
   {
     proof.AddCandidate(PositionsOf(this->Mesh, candidates.Faces[i]));
   }
-  const Triangle corners = this->Source.Corners(original);
+  const Triangle corners = this->OriginalMesh.Corners(original);
   CommonFaceProof::Piece whole;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Vector3& p = this->Source.Position(corners[k]);
-    const double limit = this->Allowed.At(corners[k]);
+    const Vector3& p = this->OriginalMesh.Position(corners[k]);
+    const double limit = this->Limits.At(corners[k]);
     whole[k] = { p, limit, proof.FacesNear(p, limit) };
   }
   CommonFaceProof::Faces used = 0;
   Covering covering;
-  const CommonFaceResult result = proof.Prove(whole, used, MaxPieces);
+  const CommonFaceResult result = proof.Prove(whole, used, CommonFaceProof::MaxPieces);
   covering.IsProved =
-    result == CommonFaceResult::Proved && CountBits(used) <= Coverage::SlotsPerItem;
+    result == CommonFaceResult::Proved && CountBits(used) <= Coverage::SlotsPerElement;
   if (result == CommonFaceResult::TooFar)
   {
     far = proof.FarPosition();

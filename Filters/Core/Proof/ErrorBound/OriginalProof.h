@@ -4,10 +4,9 @@
  * @file OriginalProof.h
  * @brief Proves that faces of a mesh cover a triangle of the original.
  *
- *     near:  of each corner the nearest face, and those connected with it by faces within the limit
- *     proved:    one face is within the limit of all three corners, or
- *                the faces near the corners and their neighbors cover it together
- *                  (CommonFaceProof)
+ *     near:    of each corner, the nearest face and faces connected with it within the limit
+ *     proved:  one face is within the limit of all three corners, or
+ *              the faces near the corners and their neighbors cover it together (CommonFaceProof)
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_OriginalProof_h
 #define BoneDecimate_Core_Proof_ErrorBound_OriginalProof_h
@@ -23,7 +22,7 @@
 
 namespace bonedecimate
 {
-class StartOfWalk;
+class VertexWalk;
 
 class OriginalProof
 {
@@ -34,8 +33,8 @@ public:
   /// Finds the faces near the corners of these originals.
   /// @param current For each original vertex, the vertex of the mesh into which it was merged.
   void FindNear(const std::vector<char>& originals, const std::vector<Index>& current, int threads);
-  /// Frees its memory.
-  void ForgetNear() { this->Near = std::vector<NearFaces>(); }
+  /// Frees the memory of FindNear().
+  void ClearNear() { this->FacesNearVertices = std::vector<NearFaces>(); }
 
   Covering Prove(Index original, CommonFaceProof& proof, std::optional<Vector3>& far) const;
 
@@ -48,16 +47,16 @@ private:
     void Add(Index face);
   };
 
-  NearFaces NearTo(VertexId original, const StartOfWalk& starts, VertexId vertex) const;
+  NearFaces FindNearFaces(VertexId original, const VertexWalk& walk, VertexId vertex) const;
   Index NearestToAll(const std::array<const NearFaces*, 3>& near) const;
   Covering ProveTogether(Index original, const std::array<const NearFaces*, 3>& near,
     CommonFaceProof& proof, std::optional<Vector3>& far) const;
   Candidates CandidatesOf(Index original, const std::array<const NearFaces*, 3>& near) const;
 
-  const HalfEdgeMesh& Source;
-  const ErrorLimits& Allowed;
+  const HalfEdgeMesh& OriginalMesh;
+  const ErrorLimits& Limits;
   const HalfEdgeMesh& Mesh;
-  std::vector<NearFaces> Near; // of each original vertex, while originals are proved
+  std::vector<NearFaces> FacesNearVertices; // filled by FindNear()
 };
 }
 

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PieceCover.h
- * @brief Whether every point of a triangle or segment lies within the limits of something large,
- * proved piece by piece.
+ * @brief Proves piece by piece that every point of a triangle or segment lies within the limits of
+ * a large target.
  *
- *     piece:  every corner lies so far below the limit of what it is nearest to that the discs
- *             around the corners
- *             cover the piece:                                                               proved
- *             what one corner is nearest to is within its limit of the other two, too:       proved
- *             a corner is farther than the limit:                                          rejected
+ *     piece:  every corner is nearer to the target than the limit there, by the reach
+ *             of the piece or more:                                                       proved
+ *             the part nearest to one corner is within its limit of the others, too:      proved
+ *             a corner is farther from its nearest part than the limit:                   rejected
  *             else split the longest edge in the middle, and prove both halves
+ *     reach:  every point of a triangle is within longest edge / sqrt(3) of a corner,
+ *             every point of a segment within half of its length
  *
- * Every point of a triangle is within longest edge / sqrt(3) of a corner, every point of a segment
- * within half of it. The search for the nearest part may fail; that can only cause a rejection.
+ * The search for the nearest part may fail; that can only cause a rejection.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_PieceCover_h
 #define BoneDecimate_Core_Proof_ErrorBound_PieceCover_h
@@ -35,8 +35,8 @@ public:
   struct Corner
   {
     Vector3 Position; // mm
-    Index Nearest;    // part of what is large
-    double Distance;  // mm, to that
+    Index Nearest;    // part of the target
+    double Distance;  // mm, to this part
   };
   using Piece = std::array<Corner, Corners>;
 
@@ -44,11 +44,11 @@ public:
   template <typename Target>
   bool Prove(const Target& target, const Piece& whole)
   {
-    this->Open.assign(1, whole);
-    for (int pieces = 0; !this->Open.empty(); ++pieces)
+    this->OpenPieces.assign(1, whole);
+    for (int pieces = 0; !this->OpenPieces.empty(); ++pieces)
     {
-      const Piece piece = this->Open.back();
-      this->Open.pop_back();
+      const Piece piece = this->OpenPieces.back();
+      this->OpenPieces.pop_back();
       if (pieces == MaxPieces || !IsWithin(target, piece, 0.0))
       {
         return false;
@@ -62,10 +62,10 @@ public:
       }
       const Corner middle =
         target.Find(0.5 * (piece[edge].Position + piece[next].Position), piece[edge].Nearest);
-      this->Open.push_back(piece);
-      this->Open.back()[next] = middle;
-      this->Open.push_back(piece);
-      this->Open.back()[edge] = middle;
+      this->OpenPieces.push_back(piece);
+      this->OpenPieces.back()[next] = middle;
+      this->OpenPieces.push_back(piece);
+      this->OpenPieces.back()[edge] = middle;
     }
     return true;
   }
@@ -112,7 +112,7 @@ private:
       });
   }
 
-  std::vector<Piece> Open;
+  std::vector<Piece> OpenPieces;
 };
 }
 

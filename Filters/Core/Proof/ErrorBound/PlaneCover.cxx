@@ -9,7 +9,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Least squared sine of an angle of a face. With a sharper one, shadows are too far away to use.
+/// Least squared sine of the angle at A. With a sharper one, projections are too inaccurate.
 constexpr double MinSquaredSineOfFace = 1e-8;
 /// Bound of the rounding of a sum of four products.
 constexpr double Rounding = 1e-14;
@@ -19,9 +19,8 @@ struct Barycentric
   double B, C;
 };
 
-/// Where the projections are counted: any point of the face that edges are unlikely to pass
-/// through.
-constexpr Barycentric Counted = { 0.3279, 0.3391 };
+/// Where the projections are counted: an arbitrary point that edges are unlikely to pass through.
+constexpr Barycentric CountedPoint = { 0.3279, 0.3391 };
 
 /// Twice the area of p q r, and how wrong it may be.
 struct Turn
@@ -47,14 +46,15 @@ std::uint8_t SidesBeyond(Barycentric p)
     (p.B < 0.0 ? 1 : 0) | (p.C < 0.0 ? 2 : 0) | (a < -error ? 4 : 0));
 }
 
-/// Bits for the four directions.
+/// Bits for the four directions in which the point lies.
 std::uint8_t SidesOf(Barycentric middle, Barycentric p)
 {
   return static_cast<std::uint8_t>((p.B < middle.B ? 1 : 0) | (p.B > middle.B ? 2 : 0) |
     (p.C < middle.C ? 4 : 0) | (p.C > middle.C ? 8 : 0));
 }
 
-/// Whether the segment may meet that triangle, all of it or not; false only if it surely does not.
+/// Whether the line through both points may meet the triangle (0, 0), (1, 0), (0, 1). False only if
+/// it certainly does not.
 bool PassesFace(Barycentric p, Barycentric q)
 {
   const int first = Turn(p, q, { 0.0, 0.0 }).Sign();
@@ -67,10 +67,10 @@ bool PassesFace(Barycentric p, Barycentric q)
 bool PlaneCover::Begin(const std::array<Vector3, 3>& face)
 {
   this->Triangles.Clear();
-  this->Shadows.Clear();
+  this->Projections.Clear();
   this->IsOdd = false;
-  this->SuspectB = Counted.B;
-  this->SuspectC = Counted.C;
+  this->SuspectB = CountedPoint.B;
+  this->SuspectC = CountedPoint.C;
   this->A = face[0];
   this->AB = face[1] - face[0];
   this->AC = face[2] - face[0];
@@ -88,43 +88,43 @@ bool PlaneCover::Begin(const std::array<Vector3, 3>& face)
 }
 
 //------------------------------------------------------------------------------
-const PlaneCover::Shadow& PlaneCover::ShadowOf(VertexId vertex)
+const PlaneCover::Projection& PlaneCover::ProjectionOf(VertexId vertex)
 {
-  Index at = this->Shadows.Find(vertex);
+  Index at = this->Projections.Find(vertex);
   if (at == None)
   {
-    const Vector3 p = this->Original.Position(vertex) - this->A;
+    const Vector3 p = this->OriginalMesh.Position(vertex) - this->A;
     const Barycentric barycentric = { Dot(this->AlongB, p), Dot(this->AlongC, p) };
-    Shadow shadow = { vertex, SidesBeyond(barycentric), SidesOf(Counted, barycentric),
+    Projection projection = { vertex, SidesBeyond(barycentric), SidesOf(CountedPoint, barycentric),
       barycentric.B, barycentric.C, {}, 0.0 };
-    shadow.Offset = p - shadow.B * this->AB - shadow.C * this->AC;
-    shadow.SquaredOffset = shadow.Offset.squaredNorm();
-    at = this->Shadows.Insert(shadow);
+    projection.Offset = p - projection.B * this->AB - projection.C * this->AC;
+    projection.SquaredOffset = projection.Offset.squaredNorm();
+    at = this->Projections.Insert(projection);
   }
-  return this->Shadows[at];
+  return this->Projections[at];
 }
 
 //------------------------------------------------------------------------------
 bool PlaneCover::Visit(Index triangle, double limit)
 {
-  const Triangle corners = this->Original.Corners(triangle);
-  Shape shape;
-  std::transform(corners.begin(), corners.end(), shape.begin(),
-    [this](VertexId v) { return this->ShadowOf(v); });
-  if ((shape[0].Beyond & shape[1].Beyond & shape[2].Beyond) != 0)
+  const Triangle corners = this->OriginalMesh.Corners(triangle);
+  ProjectedTriangle projected;
+  std::transform(corners.begin(), corners.end(), projected.begin(),
+    [this](VertexId v) { return this->ProjectionOf(v); });
+  if ((projected[0].Beyond & projected[1].Beyond & projected[2].Beyond) != 0)
   {
     return true; // nowhere over the face
   }
-  const double farthest =
-    std::max({ shape[0].SquaredOffset, shape[1].SquaredOffset, shape[2].SquaredOffset });
-  if ((farthest > limit * limit && !this->IsNearOver(shape, limit)) || !this->Count(shape))
+  const double farthest = std::max(
+    { projected[0].SquaredOffset, projected[1].SquaredOffset, projected[2].SquaredOffset });
+  if ((farthest > limit * limit && !this->IsNearOver(projected, limit)) || !this->Count(projected))
   {
     return false;
   }
   for (Index k = 0; k < 3; ++k)
   {
-    const Shadow& p = shape[k];
-    const Shadow& q = shape[(k + 1) % 3];
+    const Projection& p = projected[k];
+    const Projection& q = projected[(k + 1) % 3];
     const bool meets = (p.Beyond & q.Beyond) == 0 &&
       (p.Beyond == 0 || q.Beyond == 0 || PassesFace({ p.B, p.C }, { q.B, q.C }));
     if (meets && !this->Cross(HalfEdgeMesh::HalfEdge(triangle, k)))
@@ -136,19 +136,19 @@ bool PlaneCover::Visit(Index triangle, double limit)
 }
 
 //------------------------------------------------------------------------------
-/// False if it is undecided whether the counting point lies in the projection.
-bool PlaneCover::Count(const Shape& shape)
+/// Counts the projection if it contains the counted point. False if rounding leaves that open.
+bool PlaneCover::Count(const ProjectedTriangle& projected)
 {
-  if ((shape[0].Beside & shape[1].Beside & shape[2].Beside) != 0)
+  if ((projected[0].Beside & projected[1].Beside & projected[2].Beside) != 0)
   {
     return true;
   }
   int turns = 0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const Shadow& p = shape[k];
-    const Shadow& q = shape[(k + 1) % 3];
-    const int turn = Turn({ p.B, p.C }, { q.B, q.C }, Counted).Sign();
+    const Projection& p = projected[k];
+    const Projection& q = projected[(k + 1) % 3];
+    const int turn = Turn({ p.B, p.C }, { q.B, q.C }, CountedPoint).Sign();
     if (turn == 0)
     {
       return false;
@@ -160,10 +160,10 @@ bool PlaneCover::Count(const Shape& shape)
 }
 
 //------------------------------------------------------------------------------
-/// To the triangle across; false if there is none.
+/// Adds the triangle across an edge; false if there is none.
 bool PlaneCover::Cross(Index edge)
 {
-  const HalfEdgeId twin = this->Original.Twin(edge);
+  const HalfEdgeId twin = this->OriginalMesh.Twin(edge);
   if (twin != None && this->Triangles.Find(HalfEdgeMesh::Face(twin)) == None)
   {
     this->Triangles.Insert({ HalfEdgeMesh::Face(twin) });
@@ -172,15 +172,15 @@ bool PlaneCover::Cross(Index edge)
 }
 
 //------------------------------------------------------------------------------
-/// Cuts off what is not over the face: the offset is greatest at a corner of what remains.
-bool PlaneCover::IsNearOver(const Shape& shape, double limit)
+/// Clips the projection at the face. The offset is greatest at a corner of what remains.
+bool PlaneCover::IsNearOver(const ProjectedTriangle& projected, double limit)
 {
-  std::array<std::array<Shadow, 9>, 2> polygons;
-  std::copy(shape.begin(), shape.end(), polygons[0].begin());
+  std::array<std::array<Projection, 9>, 2> polygons;
+  std::copy(projected.begin(), projected.end(), polygons[0].begin());
   std::size_t count = 3;
   for (int side = 0; side < 3; ++side)
   {
-    const auto inside = [side](const Shadow& s) {
+    const auto inside = [side](const Projection& s) {
       return side == 0 ? s.B : side == 1 ? s.C : s.A();
     };
     const auto& from = polygons[side % 2];
@@ -188,8 +188,8 @@ bool PlaneCover::IsNearOver(const Shape& shape, double limit)
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Shadow& p = from[i];
-      const Shadow& q = from[(i + 1) % count];
+      const Projection& p = from[i];
+      const Projection& q = from[(i + 1) % count];
       const double pIn = inside(p);
       const double qIn = inside(q);
       if (pIn >= 0.0)
@@ -207,7 +207,7 @@ bool PlaneCover::IsNearOver(const Shape& shape, double limit)
   }
   const auto end = polygons[1].begin() + static_cast<std::ptrdiff_t>(count);
   const auto far = std::find_if(polygons[1].begin(), end,
-    [limit](const Shadow& s) { return !(s.Offset.squaredNorm() <= limit * limit); });
+    [limit](const Projection& s) { return !(s.Offset.squaredNorm() <= limit * limit); });
   if (far != end)
   {
     this->SuspectB = far->B;

@@ -2,20 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaneCover.h
- * @brief Whether the original lies over every point of a face, never farther than the limit: proved
- * by a walk.
+ * @brief Proves by a walk that the original lies over every point of a face, nowhere farther than
+ * the limit.
  *
- *     begin at an original triangle near the face, and cross every edge whose shadow on the face's
- *       plane meets the face
+ *     begin at an original triangle near the face, and cross every edge whose projection onto the
+ *       face's plane meets the face
  *     an edge without a twin that meets the face:                          no
  *     over the face a triangle farther away than the limit:                no
- *     an odd number of shadows over one point of the face:                 yes
+ *     an odd number of projections over one point of the face:             yes
  *
- * Where no edge of what was walked over ends the shadow within the face, the number of shadows over
- * a point changes only by even numbers: odd at one point, it is nowhere zero. Shadows are
- * coordinates (b, c) of A + b AB + c AC, computed once for each vertex; how far they are from being
- * feet of perpendiculars is part of the distance that is compared with the limit, so that their
- * rounding does no harm.
+ * No edge of the visited triangles ends their projection within the face, so the number of
+ * projections over a point changes only by even numbers: if it is odd at one point, it is zero
+ * nowhere.
+ *
+ * A projection has coordinates (b, c) of A + b AB + c AC, computed once for each vertex. The
+ * distance that is compared with the limit is the one from this computed point, so its rounding
+ * does no harm.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_PlaneCover_h
 #define BoneDecimate_Core_Proof_ErrorBound_PlaneCover_h
@@ -32,9 +34,9 @@ class PlaneCover
 {
 public:
   explicit PlaneCover(const HalfEdgeMesh& original)
-    : Original(original)
+    : OriginalMesh(original)
     , Triangles(original.NumberOfFaceSlots())
-    , Shadows(original.NumberOfVertexSlots())
+    , Projections(original.NumberOfVertexSlots())
   {
   }
 
@@ -60,20 +62,20 @@ public:
   }
 
   /// After a failed proof, a point of the face that is likely to be too far away.
-  Vector3 Suspect() const
+  Vector3 SuspectPosition() const
   {
     return this->A + this->SuspectB * this->AB + this->SuspectC * this->AC;
   }
 
 private:
   static constexpr Index MaxTriangles = 4096;
-  struct Shadow
+  struct Projection
   {
     Index Id;
-    std::uint8_t Beyond; // bits: surely on the other side of a side of the face
-    std::uint8_t Beside; // bits: on one side of the point where projections are counted
+    std::uint8_t Beyond; // bits: certainly beyond a side of the face
+    std::uint8_t Beside; // bits: on a side of the point where projections are counted
     double B, C;
-    Vector3 Offset;       // mm, from the shadow to the vertex
+    Vector3 Offset;       // mm, from the projection to the vertex
     double SquaredOffset; // mm^2
     double A() const { return 1.0 - this->B - this->C; }
   };
@@ -81,18 +83,18 @@ private:
   {
     Index Id;
   };
-  using Shape = std::array<Shadow, 3>;
+  using ProjectedTriangle = std::array<Projection, 3>;
 
   bool Begin(const std::array<Vector3, 3>& face);
-  const Shadow& ShadowOf(VertexId vertex);
+  const Projection& ProjectionOf(VertexId vertex);
   bool Visit(Index triangle, double limit);
-  bool Count(const Shape& shape);
+  bool Count(const ProjectedTriangle& projected);
   bool Cross(Index edge);
-  bool IsNearOver(const Shape& shape, double limit);
+  bool IsNearOver(const ProjectedTriangle& projected, double limit);
 
-  const HalfEdgeMesh& Original;
+  const HalfEdgeMesh& OriginalMesh;
   SparseSet<Visited> Triangles;
-  SparseSet<Shadow> Shadows;
+  SparseSet<Projection> Projections;
   Vector3 A, AB, AC;
   Vector3 AlongB, AlongC; // 1/mm: b = AlongB . (p - A)
   double SuspectB = 0.0, SuspectC = 0.0;

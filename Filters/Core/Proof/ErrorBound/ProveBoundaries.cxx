@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a Prover does where an edit touches an open boundary.
+// The part of Prover for edits at open boundaries.
 #include "Prover.h"
 
 #include "WalkedTargets.h"
@@ -9,12 +9,12 @@
 
 namespace bonedecimate
 {
-/// Old boundaries by new ones, and new ones by the old ones that the edges they replace proved.
+/// Proves original boundary edges by new edges, and new edges by the original.
 bool Prover::BoundaryIsNear(const HalfEdgeMesh& mesh)
 {
-  for (Item& item : this->BoundaryItems)
+  for (CoveredElement& covered : this->CoveredEdges)
   {
-    if (!this->ProveBoundaryItem(mesh, item))
+    if (!this->ProveBoundaryEdge(mesh, covered))
     {
       return false;
     }
@@ -29,18 +29,18 @@ bool Prover::NewBoundaryIsNear()
   {
     return true;
   }
-  const WalkedBoundary original(this->Shared.Boundaries, this->Shared.Allowed);
+  const WalkedBoundary original(this->Bound.Boundaries, this->Bound.OriginalLimits);
   for (const SurfaceChange::BoundaryEdge& edge : this->Change->NewBoundary)
   {
     PieceCover<2>::Piece whole;
     for (std::size_t i = 0; i < 2; ++i)
     {
-      if (this->Shared.NearestBoundary[edge.OnLine[i]] == None)
+      if (this->Bound.NearBoundaryEdges[edge.CurveVertices[i]] == None)
       {
         return false;
       }
-      whole[i] = original.Find(edge.Ends[i], this->Shared.NearestBoundary[edge.OnLine[i]]);
-      if (edge.Vertices[i] == this->Change->Moved)
+      whole[i] = original.Find(edge.Ends[i], this->Bound.NearBoundaryEdges[edge.CurveVertices[i]]);
+      if (edge.Vertices[i] == this->Change->MovedVertex)
       {
         this->BoundaryHint = whole[i].Nearest;
       }
@@ -54,11 +54,11 @@ bool Prover::NewBoundaryIsNear()
 }
 
 //------------------------------------------------------------------------------
-bool Prover::ProveBoundaryItem(const HalfEdgeMesh& mesh, Item& item)
+bool Prover::ProveBoundaryEdge(const HalfEdgeMesh& mesh, CoveredElement& covered)
 {
   if (this->Change->BoundaryStays)
   {
-    this->HandOver(item);
+    this->ProveByReplacement(covered);
     return true;
   }
   this->Boundary.Candidates.clear();
@@ -67,37 +67,37 @@ bool Prover::ProveBoundaryItem(const HalfEdgeMesh& mesh, Item& item)
     this->Boundary.Candidates.push_back(edge.Ends);
   }
   const std::size_t newEdges = this->Boundary.Candidates.size();
-  for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
+  for (int slot = 0; slot < Coverage::SlotsPerElement; ++slot)
   {
-    const Index h = this->Shared.ByBoundaries.CoveringElement(item.Id, slot);
-    if (h != None && (item.Gone >> slot & 1) == 0)
+    const Index h = this->Bound.BoundaryCoverage.CoveringElement(covered.Id, slot);
+    if (h != None && (covered.ReplacedSlots >> slot & 1) == 0)
     {
       this->Boundary.Candidates.push_back(
         { mesh.Position(mesh.Origin(h)), mesh.Position(mesh.Target(h)) });
     }
   }
-  const HalfEdgeId boundary = this->Shared.Boundaries.HalfEdge(item.Id);
-  const BoundaryProof::Piece whole = { this->Shared.Boundaries.Ends(item.Id),
-    { this->Shared.LimitAt(this->Shared.Source.Origin(boundary)),
-      this->Shared.LimitAt(this->Shared.Source.Target(boundary)) } };
-  const bool proved = this->Boundary.Prove(
-    whole, [&](std::size_t used) { item.Used |= used < newEdges ? Faces(1) << used : Faces(0); });
+  const HalfEdgeId boundary = this->Bound.Boundaries.HalfEdge(covered.Id);
+  const BoundaryProof::Piece whole = { this->Bound.Boundaries.Ends(covered.Id),
+    { this->Bound.LimitAt(this->Bound.OriginalMesh.Origin(boundary)),
+      this->Bound.LimitAt(this->Bound.OriginalMesh.Target(boundary)) } };
+  const bool proved = this->Boundary.Prove(whole,
+    [&](std::size_t used) { covered.ProvedBy |= used < newEdges ? Faces(1) << used : Faces(0); });
   const std::size_t others = this->Boundary.Candidates.size() - newEdges;
-  return proved && others + CountBits(item.Used) <= Coverage::SlotsPerItem;
+  return proved && others + CountBits(covered.ProvedBy) <= Coverage::SlotsPerElement;
 }
 
 //------------------------------------------------------------------------------
-/// From each old boundary edge to the new one that replaces it.
-void Prover::HandOver(Item& item)
+/// Each old boundary edge is at the same position as the new one that replaces it.
+void Prover::ProveByReplacement(CoveredElement& covered)
 {
-  for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
+  for (int slot = 0; slot < Coverage::SlotsPerElement; ++slot)
   {
     for (std::size_t i = 0; i < this->Change->NewBoundary.size(); ++i)
     {
-      const bool isCovering = (item.Gone >> slot & 1) != 0 &&
-        this->Shared.ByBoundaries.CoveringElement(item.Id, slot) ==
+      const bool isCovering = (covered.ReplacedSlots >> slot & 1) != 0 &&
+        this->Bound.BoundaryCoverage.CoveringElement(covered.Id, slot) ==
           this->Change->NewBoundary[i].Replaces;
-      item.Used |= isCovering ? Faces(1) << i : Faces(0);
+      covered.ProvedBy |= isCovering ? Faces(1) << i : Faces(0);
     }
   }
 }

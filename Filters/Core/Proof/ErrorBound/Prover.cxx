@@ -10,15 +10,13 @@ namespace bonedecimate
 {
 namespace
 {
-/// Largest number of pieces of an original before its proof is given up. With fewer, good edits are
-/// rejected.
-constexpr std::size_t MaxPiecesOfItem = 256;
 
-/// How many limits the ends of an edge may lie from the new faces.
-constexpr double FarthestOfEnds = 1.5;
+/// Distance of the removed vertices from the new faces, in limits, above which a proof hardly ever
+/// succeeds.
+constexpr double MaxEndLimits = 1.5;
 
-/// Leaves candidates for other faces that may have to help cover an item.
-constexpr std::size_t MaxNewFaces = CommonFaceProof::MaxCandidates - Coverage::SlotsPerItem;
+/// Leaves candidates for the remaining covering faces.
+constexpr std::size_t MaxNewFaces = CommonFaceProof::MaxCandidates - Coverage::SlotsPerElement;
 
 bool FaceIsInRange(const HalfEdgeMesh& mesh, FaceId face, VertexRange range)
 {
@@ -28,11 +26,11 @@ bool FaceIsInRange(const HalfEdgeMesh& mesh, FaceId face, VertexRange range)
 }
 
 Prover::Prover(const ErrorBound& bound)
-  : Shared(bound)
-  , Items(bound.Source.NumberOfFaceSlots())
-  , BoundaryItems(static_cast<Index>(bound.Boundaries.Count()))
-  , Points(bound.Source.NumberOfVertexSlots())
-  , Back(bound.Source)
+  : Bound(bound)
+  , CoveredTriangles(bound.OriginalMesh.NumberOfFaceSlots())
+  , CoveredEdges(static_cast<Index>(bound.Boundaries.Count()))
+  , Points(bound.OriginalMesh.NumberOfVertexSlots())
+  , NewFaceProof(bound.OriginalMesh)
 {
 }
 
@@ -49,8 +47,8 @@ Decision Prover::Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, Ed
   {
     return Rejection::ErrorBound;
   }
-  Gather(this->Shared.ByFaces, change.OldFaces, this->Items);
-  Gather(this->Shared.ByBoundaries, change.OldBoundary, this->BoundaryItems);
+  Gather(this->Bound.FaceCoverage, change.OldFaces, this->CoveredTriangles);
+  Gather(this->Bound.BoundaryCoverage, change.OldBoundary, this->CoveredEdges);
   if (!this->AreInRange(mesh))
   {
     return Decision::Defer();
@@ -61,74 +59,80 @@ Decision Prover::Prove(const HalfEdgeMesh& mesh, const SurfaceChange& change, Ed
   {
     return Rejection::ErrorBound;
   }
-  Copy(this->Shared.ByFaces, this->Items, proof.Items);
-  Copy(this->Shared.ByBoundaries, this->BoundaryItems, proof.BoundaryItems);
-  proof.Nearest = this->MovedCorner.Nearest;
-  proof.NearestBoundary = this->BoundaryHint;
+  Copy(this->Bound.FaceCoverage, this->CoveredTriangles, proof.CoveredTriangles);
+  Copy(this->Bound.BoundaryCoverage, this->CoveredEdges, proof.CoveredEdges);
+  proof.NearTriangle = this->MovedCorner.Nearest;
+  proof.NearBoundaryEdge = this->BoundaryHint;
   return Decision::Accept();
 }
 
 //------------------------------------------------------------------------------
-void Prover::Copy(const Coverage& coverage, const SparseSet<Item>& items, std::vector<Item>& copies)
+void Prover::Copy(const Coverage& coverage, const SparseSet<CoveredElement>& elements,
+  std::vector<CoveredElement>& copies)
 {
-  copies.assign(items.begin(), items.end());
-  for (Item& item : copies)
+  copies.assign(elements.begin(), elements.end());
+  for (CoveredElement& covered : copies)
   {
-    item.Version = coverage.VersionOf(item.Id);
+    covered.Version = coverage.VersionOf(covered.Id);
   }
 }
 
 //------------------------------------------------------------------------------
 bool Prover::MovedVertexIsNear()
 {
-  const Index moved = this->Change->Moved;
+  const Index moved = this->Change->MovedVertex;
   if (moved == None)
   {
     return true;
   }
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
-  this->MovedCorner = original.Find(this->Change->Requested.Position, this->Shared.Nearest[moved]);
+  const WalkedSurface original(
+    this->Bound.OriginalMesh, this->Bound.OriginalTree, this->Bound.OriginalLimits);
+  this->MovedCorner =
+    original.Find(this->Change->Requested.Position, this->Bound.NearTriangles[moved]);
   return this->MovedCorner.Distance <= original.Limit(this->MovedCorner.Nearest);
 }
 
 //------------------------------------------------------------------------------
-/// The items of covering elements that the edit changes.
-void Prover::Gather(const Coverage& coverage, const std::vector<Index>& old, SparseSet<Item>& items)
+/// Collects the elements that are covered by what the edit replaces.
+void Prover::Gather(
+  const Coverage& coverage, const std::vector<Index>& old, SparseSet<CoveredElement>& elements)
 {
-  items.Clear();
+  elements.Clear();
   for (const Index covering : old)
   {
-    coverage.VisitItems(covering,
-      [&items](Index item, int slot)
+    coverage.VisitCovered(covering,
+      [&elements](Index covered, int slot)
       {
-        const Index known = items.Find(item);
-        items[known == None ? items.Insert({ item, 0 }) : known].Gone |= 1U << slot;
+        const Index known = elements.Find(covered);
+        elements[known == None ? elements.Insert({ covered, 0 }) : known].ReplacedSlots |= 1U
+          << slot;
       });
   }
 }
 
 //------------------------------------------------------------------------------
-/// Whether all other covering elements of the item are in range.
+/// Whether all its other covering elements are in range.
 template <typename IsElementInRange>
 bool Prover::IsInRange(
-  const Coverage& coverage, const Item& item, const IsElementInRange& isElementInRange)
+  const Coverage& coverage, const CoveredElement& covered, const IsElementInRange& isElementInRange)
 {
   bool isInside = true;
-  for (int slot = 0; slot < Coverage::SlotsPerItem && isInside; ++slot)
+  for (int slot = 0; slot < Coverage::SlotsPerElement && isInside; ++slot)
   {
-    const Index covering = coverage.CoveringElement(item.Id, slot);
-    isInside = covering == None || (item.Gone >> slot & 1) != 0 || isElementInRange(covering);
+    const Index covering = coverage.CoveringElement(covered.Id, slot);
+    isInside =
+      covering == None || (covered.ReplacedSlots >> slot & 1) != 0 || isElementInRange(covering);
   }
   return isInside;
 }
 
 //------------------------------------------------------------------------------
 template <typename IsElementInRange>
-bool Prover::AreInRange(
-  const Coverage& coverage, const SparseSet<Item>& items, const IsElementInRange& isElementInRange)
+bool Prover::AreInRange(const Coverage& coverage, const SparseSet<CoveredElement>& elements,
+  const IsElementInRange& isElementInRange)
 {
-  return std::all_of(items.begin(), items.end(),
-    [&](const Item& item) { return IsInRange(coverage, item, isElementInRange); });
+  return std::all_of(elements.begin(), elements.end(),
+    [&](const CoveredElement& covered) { return IsInRange(coverage, covered, isElementInRange); });
 }
 
 //------------------------------------------------------------------------------
@@ -139,9 +143,9 @@ bool Prover::AreInRange(const HalfEdgeMesh& mesh) const
   {
     return true;
   }
-  return AreInRange(this->Shared.ByFaces, this->Items,
+  return AreInRange(this->Bound.FaceCoverage, this->CoveredTriangles,
            [&](FaceId face) { return FaceIsInRange(mesh, face, range); }) &&
-    AreInRange(this->Shared.ByBoundaries, this->BoundaryItems,
+    AreInRange(this->Bound.BoundaryCoverage, this->CoveredEdges,
       [&](HalfEdgeId h)
       { return range.Contains(mesh.Origin(h)) && range.Contains(mesh.Target(h)); });
 }
@@ -159,25 +163,24 @@ void Prover::Prepare()
 }
 
 //------------------------------------------------------------------------------
-/// An early rejection: removed vertices lie within the limit of the original, which must lie within
-/// the limit of the new faces. If they are farther from the new faces than most of the sum of both
-/// limits, a proof hardly ever succeeds.
+/// An early rejection. Removed vertices lie within the limit of the original, which must lie within
+/// the limit of the new faces.
 bool Prover::EndsAreNear(const HalfEdgeMesh& mesh)
 {
-  if (this->Change->Moved == None)
+  if (this->Change->MovedVertex == None)
   {
     return true;
   }
-  const Triangle around = this->Shared.Source.Corners(this->MovedCorner.Nearest);
-  const double limit = std::max({ this->Shared.LimitAt(around[0]), this->Shared.LimitAt(around[1]),
-    this->Shared.LimitAt(around[2]) });
+  const Triangle around = this->Bound.OriginalMesh.Corners(this->MovedCorner.Nearest);
+  const double limit = std::max({ this->Bound.LimitAt(around[0]), this->Bound.LimitAt(around[1]),
+    this->Bound.LimitAt(around[2]) });
   return std::all_of(this->Change->Ends.begin(), this->Change->Ends.end(),
     [&](VertexId end)
-    { return this->CommonFaces.FacesNear(mesh.Position(end), FarthestOfEnds * limit) != 0; });
+    { return this->CommonFaces.FacesNear(mesh.Position(end), MaxEndLimits * limit) != 0; });
 }
 
 //------------------------------------------------------------------------------
-/// The items that caused the last rejections here are likely to cause the next one. Those with a
+/// Originals that caused the last rejections here are likely to cause the next one. Those with a
 /// covering face out of range are skipped: another worker may be changing that face.
 bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh)
 {
@@ -185,14 +188,15 @@ bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh)
   { return FaceIsInRange(mesh, face, this->Change->Range); };
   for (const VertexId end : this->Change->Ends)
   {
-    const ErrorBound::Witness& known = this->Shared.Witnesses[end];
+    const ErrorBound::Witness& known = this->Bound.Witnesses[end];
     for (const Index witness : known)
     {
-      Item item = { witness, 0 };
-      if (witness != None && this->Depends(item) &&
-        IsInRange(this->Shared.ByFaces, item, isInRange) && !this->ProveItem(mesh, item))
+      CoveredElement covered = { witness, 0 };
+      if (witness != None && this->FindReplacedSlots(covered) &&
+        IsInRange(this->Bound.FaceCoverage, covered, isInRange) &&
+        !this->ProveTriangle(mesh, covered))
       {
-        this->Remember(witness);
+        this->AddWitness(witness);
         return false;
       }
     }
@@ -201,47 +205,48 @@ bool Prover::WitnessesAreNear(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-/// Whether faces that change prove the item; which of them, if so.
-bool Prover::Depends(Item& item) const
+/// Finds the slots of which the edit replaces the face. False if there are none.
+bool Prover::FindReplacedSlots(CoveredElement& covered) const
 {
   const std::vector<Index>& old = this->Change->OldFaces;
-  for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
+  for (int slot = 0; slot < Coverage::SlotsPerElement; ++slot)
   {
-    const Index covering = this->Shared.ByFaces.CoveringElement(item.Id, slot);
+    const Index covering = this->Bound.FaceCoverage.CoveringElement(covered.Id, slot);
     if (covering != None && std::find(old.begin(), old.end(), covering) != old.end())
     {
-      item.Gone |= 1U << slot;
+      covered.ReplacedSlots |= 1U << slot;
     }
   }
-  return item.Gone != 0;
+  return covered.ReplacedSlots != 0;
 }
 
 //------------------------------------------------------------------------------
-/// Corners first, because they cause most rejections; then items that must be split.
+/// Originals with a far corner first, because they cause most rejections; then those that must be
+/// split.
 bool Prover::OriginalsAreNear(const HalfEdgeMesh& mesh)
 {
-  this->Uncut.clear();
-  for (Item& item : this->Items)
+  this->UnprovedTriangles.clear();
+  for (CoveredElement& covered : this->CoveredTriangles)
   {
-    const std::array<Index, 3> points = this->PointsOf(item.Id);
-    item.Used = this->Nearest(points);
-    const bool isAnyFar = std::any_of(
-      points.begin(), points.end(), [this](Index point) { return this->Points[point].Near == 0; });
-    if (isAnyFar && !this->ProveInPieces(mesh, item))
+    const std::array<Index, 3> points = this->PointsOf(covered.Id);
+    covered.ProvedBy = this->NearestCommonFace(points);
+    const bool isAnyFar = std::any_of(points.begin(), points.end(),
+      [this](Index point) { return this->Points[point].NearCandidates == 0; });
+    if (isAnyFar && !this->ProveInPieces(mesh, covered))
     {
-      this->Remember(item.Id);
+      this->AddWitness(covered.Id);
       return false;
     }
-    if (item.Used == 0 && !isAnyFar)
+    if (covered.ProvedBy == 0 && !isAnyFar)
     {
-      this->Uncut.push_back(item.Id);
+      this->UnprovedTriangles.push_back(covered.Id);
     }
   }
-  for (const Index id : this->Uncut)
+  for (const Index id : this->UnprovedTriangles)
   {
-    if (!this->ProveInPieces(mesh, this->Items[this->Items.Find(id)]))
+    if (!this->ProveInPieces(mesh, this->CoveredTriangles[this->CoveredTriangles.Find(id)]))
     {
-      this->Remember(id);
+      this->AddWitness(id);
       return false;
     }
   }
@@ -249,32 +254,32 @@ bool Prover::OriginalsAreNear(const HalfEdgeMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-/// Stores an item that could not be proved instead of the oldest one.
-void Prover::Remember(Index item)
+/// Stores an original that could not be proved, in place of the oldest one.
+void Prover::AddWitness(Index covered)
 {
   for (const VertexId end : this->Change->Ends)
   {
     if (end != None)
     {
-      ErrorBound::Witness& known = this->Shared.Witnesses[end];
-      const auto position = std::find(known.begin(), known.end() - 1, item);
+      ErrorBound::Witness& known = this->Bound.Witnesses[end];
+      const auto position = std::find(known.begin(), known.end() - 1, covered);
       std::rotate(known.begin(), position, position + 1);
-      known.front() = item;
+      known.front() = covered;
     }
   }
 }
 
 //------------------------------------------------------------------------------
-bool Prover::ProveItem(const HalfEdgeMesh& mesh, Item& item)
+bool Prover::ProveTriangle(const HalfEdgeMesh& mesh, CoveredElement& covered)
 {
-  item.Used = this->Nearest(this->PointsOf(item.Id));
-  return item.Used != 0 || this->ProveInPieces(mesh, item);
+  covered.ProvedBy = this->NearestCommonFace(this->PointsOf(covered.Id));
+  return covered.ProvedBy != 0 || this->ProveInPieces(mesh, covered);
 }
 
 //------------------------------------------------------------------------------
 std::array<Index, 3> Prover::PointsOf(Index original)
 {
-  const Triangle corners = this->Shared.Source.Corners(original);
+  const Triangle corners = this->Bound.OriginalMesh.Corners(original);
   return { this->PointOf(corners[0]), this->PointOf(corners[1]), this->PointOf(corners[2]) };
 }
 
@@ -287,8 +292,8 @@ Index Prover::PointOf(Index id)
   {
     return known;
   }
-  const Vector3& p = this->Shared.Source.Position(id);
-  const Faces near = this->CommonFaces.FacesNear(p, this->Shared.LimitAt(id));
+  const Vector3& p = this->Bound.OriginalMesh.Position(id);
+  const Faces near = this->CommonFaces.FacesNear(p, this->Bound.LimitAt(id));
   const Point point = { id, near, this->SquaredDistances.size() };
   for (std::size_t i = 0; i < this->Change->NewFaces.size(); ++i)
   {
@@ -298,12 +303,11 @@ Index Prover::PointOf(Index id)
 }
 
 //------------------------------------------------------------------------------
-/// The nearest of the faces near all corners of an original, if there is one. Its neighbors may
-/// have to take over.
-Prover::Faces Prover::Nearest(const std::array<Index, 3>& points) const
+/// The nearest of the new faces that are near all corners of an original; 0 if there is none.
+Prover::Faces Prover::NearestCommonFace(const std::array<Index, 3>& points) const
 {
-  const Faces shared =
-    this->Points[points[0]].Near & this->Points[points[1]].Near & this->Points[points[2]].Near;
+  const Faces shared = this->Points[points[0]].NearCandidates &
+    this->Points[points[1]].NearCandidates & this->Points[points[2]].NearCandidates;
   float least = std::numeric_limits<float>::infinity();
   Faces nearest = shared & (~shared + 1);
   for (std::size_t i = 0; i < this->Change->NewFaces.size(); ++i)
@@ -311,7 +315,7 @@ Prover::Faces Prover::Nearest(const std::array<Index, 3>& points) const
     float sum = 0.0F;
     for (const Index point : points)
     {
-      sum += this->SquaredDistances[this->Points[point].Distances + i];
+      sum += this->SquaredDistances[this->Points[point].FirstDistance + i];
     }
     if ((shared >> i & 1) != 0 && sum < least)
     {
@@ -323,41 +327,38 @@ Prover::Faces Prover::Nearest(const std::array<Index, 3>& points) const
 }
 
 //------------------------------------------------------------------------------
-/// Together with the remaining faces that prove a part of it now.
-bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, Item& item)
+/// By the new faces together with the remaining faces that cover it now.
+bool Prover::ProveInPieces(const HalfEdgeMesh& mesh, CoveredElement& covered)
 {
-  const Triangle corners = this->Shared.Source.Corners(item.Id);
+  const Triangle corners = this->Bound.OriginalMesh.Corners(covered.Id);
   const std::size_t newFaces = this->Change->NewFaces.size();
-  const std::size_t remaining = this->AddRemaining(mesh, item);
+  const std::size_t remaining = this->AddRemaining(mesh, covered);
   CommonFaceProof::Piece whole;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const Vector3& p = this->Shared.Source.Position(corners[i]);
-    const double limit = this->Shared.LimitAt(corners[i]);
+    const Vector3& p = this->Bound.OriginalMesh.Position(corners[i]);
+    const double limit = this->Bound.LimitAt(corners[i]);
     whole[i] = { p, limit, this->CommonFaces.FacesNear(p, limit) };
   }
-  item.Used = 0;
-  const bool proved =
-    this->CommonFaces.Prove(whole, item.Used, MaxPiecesOfItem) == CommonFaceResult::Proved;
-  item.Used &= (Faces(1) << newFaces) - 1;
+  covered.ProvedBy = 0;
+  const bool proved = this->CommonFaces.Prove(whole, covered.ProvedBy,
+                        CommonFaceProof::MaxPieces) == CommonFaceResult::Proved;
+  covered.ProvedBy &= (Faces(1) << newFaces) - 1;
   this->CommonFaces.Resize(newFaces);
-  return proved && remaining + CountBits(item.Used) <= Coverage::SlotsPerItem;
+  return proved && remaining + CountBits(covered.ProvedBy) <= Coverage::SlotsPerElement;
 }
 
 //------------------------------------------------------------------------------
-/// Adds the remaining faces that prove the item as candidates after the new faces; returns their
-/// number.
-std::size_t Prover::AddRemaining(const HalfEdgeMesh& mesh, const Item& item)
+/// Adds the remaining covering faces as candidates after the new faces. Returns their number.
+std::size_t Prover::AddRemaining(const HalfEdgeMesh& mesh, const CoveredElement& covered)
 {
   std::size_t remaining = 0;
-  for (int slot = 0; slot < Coverage::SlotsPerItem; ++slot)
+  for (int slot = 0; slot < Coverage::SlotsPerElement; ++slot)
   {
-    const Index covering = this->Shared.ByFaces.CoveringElement(item.Id, slot);
-    if (covering != None && (item.Gone >> slot & 1) == 0)
+    const Index covering = this->Bound.FaceCoverage.CoveringElement(covered.Id, slot);
+    if (covering != None && (covered.ReplacedSlots >> slot & 1) == 0)
     {
-      const Triangle v = mesh.Corners(covering);
-      this->CommonFaces.AddCandidate(
-        { mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]) });
+      this->CommonFaces.AddCandidate(PositionsOf(mesh, covering));
       ++remaining;
     }
   }
@@ -365,18 +366,19 @@ std::size_t Prover::AddRemaining(const HalfEdgeMesh& mesh, const Item& item)
 }
 
 //------------------------------------------------------------------------------
-/// First their centroids and the middles of their new edges: hardly any face that cannot be proved
-/// passes.
+/// Tests their centroids and the midpoints of their new edges first: hardly any face that cannot be
+/// proved passes.
 bool Prover::NewFacesAreNear()
 {
-  const WalkedSurface original(this->Shared.Source, this->Shared.Tree, this->Shared.Allowed);
+  const WalkedSurface original(
+    this->Bound.OriginalMesh, this->Bound.OriginalTree, this->Bound.OriginalLimits);
   this->Centroids.clear();
   for (const SurfaceChange::Face& face : this->Change->NewFaces)
   {
     const std::array<Vector3, 3>& p = face.Corners;
     const Index first = face.Vertices[0];
-    const Index hint =
-      first == this->Change->Moved ? this->MovedCorner.Nearest : this->Shared.Nearest[first];
+    const Index hint = first == this->Change->MovedVertex ? this->MovedCorner.Nearest
+                                                          : this->Bound.NearTriangles[first];
     const PieceCover<3>::Corner centroid = original.Find((p[0] + p[1] + p[2]) / 3.0, hint);
     if (!original.IsWithin(centroid) ||
       !original.IsWithin(original.Find(0.5 * (p[0] + p[1]), centroid.Nearest)))
@@ -387,7 +389,7 @@ bool Prover::NewFacesAreNear()
   }
   for (std::size_t i = 0; i < this->Centroids.size(); ++i)
   {
-    if (!this->Back.Prove(original, this->Change->NewFaces[i].Corners, this->Centroids[i]))
+    if (!this->NewFaceProof.Prove(original, this->Change->NewFaces[i].Corners, this->Centroids[i]))
     {
       return false;
     }

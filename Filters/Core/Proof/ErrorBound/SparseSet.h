@@ -26,7 +26,7 @@ public:
   }
   void Clear() { this->Entries.clear(); }
 
-  /// The position of the id among the entries; None if it is not there.
+  /// The position of the entry with this id; None if there is none.
   Index Find(Index id) const
   {
     const Index position = this->Positions[id];

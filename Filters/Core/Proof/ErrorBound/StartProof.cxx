@@ -15,7 +15,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Distance of a search position from the end of an edge, as a ratio of the length of the edge.
+/// Distance of a search position from the end of an edge, as a ratio of its length.
 constexpr double FromEnd = 0.25;
 
 /// The direction of length 1 away from an edge, in the plane of its triangle.
@@ -29,9 +29,8 @@ Vector3 Inward(const HalfEdgeMesh& mesh, HalfEdgeId h)
   return (inside - Dot(inside, along) * along).normalized();
 }
 
-/// Boundary edges with a search tree. An edge is a triangle of which two corners are equal. Edges
-/// of several patches may be at the same positions: of these, that of the triangle in the same
-/// direction is preferred.
+/// Boundary edges in a search tree, each as a triangle with two equal corners. If edges of several
+/// patches are at the same position, the one with its triangle in the same direction is preferred.
 class EdgeSearch
 {
 public:
@@ -42,7 +41,7 @@ public:
     for (Index edge = 0; edge < this->Edges.Count(); ++edge)
     {
       BoundaryProof::Segment ends = this->Edges.Ends(edge);
-      // In one order, so that distances to edges of the same positions are the same bits.
+      // The same order for edges at the same positions, so that distances are the same bits.
       if (std::lexicographical_compare(
             ends[1].begin(), ends[1].end(), ends[0].begin(), ends[0].end()))
       {
@@ -60,7 +59,7 @@ public:
   const BoundaryCurves& Curves() const { return this->Edges; }
   const Vector3& InwardOf(Index edge) const { return this->Insides[edge]; }
 
-  /// None if there is no edge.
+  /// None if there are no edges.
   Index FindNearest(const Vector3& p, const Vector3& inward) const
   {
     double least = std::numeric_limits<double>::infinity(); // squared
@@ -68,7 +67,7 @@ public:
     this->Tree->VisitNear(p, least,
       [&](Index edge)
       {
-        const double squared = BoundaryProof::SquaredReach(this->Segments[edge], p);
+        const double squared = BoundaryProof::SquaredDistance(this->Segments[edge], p);
         best = std::min(best, Key{ squared, -Dot(this->Insides[edge], inward), edge });
         least = std::get<0>(best);
       });
@@ -84,8 +83,8 @@ public:
     this->Tree->VisitNear(0.5 * (ends[0] + ends[1]), reach * reach,
       [&](Index edge)
       {
-        found.emplace_back(BoundaryProof::SquaredReach(this->Segments[edge], ends[0]) +
-            BoundaryProof::SquaredReach(this->Segments[edge], ends[1]),
+        found.emplace_back(BoundaryProof::SquaredDistance(this->Segments[edge], ends[0]) +
+            BoundaryProof::SquaredDistance(this->Segments[edge], ends[1]),
           -Dot(this->Insides[edge], inward), edge);
       });
     std::sort(found.begin(), found.end());
@@ -109,15 +108,15 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::vector<Index> BulkProof::CoverFirst(
+std::vector<Index> BulkProof::ProveInitialCoverage(
   const std::vector<char>& originals, const std::vector<Index>& current)
 {
-  this->Originals.FindNear(originals, current, this->Threads);
+  this->ProofOfOriginals.FindNear(originals, current, this->Threads);
   this->ProveOriginals(originals);
   this->WriteCoverage();
   std::vector<Index> left(this->Failures.size());
   std::transform(this->Failures.begin(), this->Failures.end(), left.begin(),
-    [](const Failure& failure) { return failure.Original; });
+    [](const Failure& failure) { return failure.Triangle; });
   return left;
 }
 
@@ -129,16 +128,16 @@ std::vector<Index> ErrorBound::CoverBoundaries(const HalfEdgeMesh& mesh, const Z
   {
     return left;
   }
-  const EdgeSearch originals(this->Source, this->CutsOfSource);
+  const EdgeSearch originals(this->OriginalMesh, this->OriginalCuts);
   const EdgeSearch edges(mesh, this->Settings.Cuts);
   for (Index edge = 0; edge < edges.Curves().Count(); ++edge)
   {
     const HalfEdgeId h = edges.Curves().HalfEdge(edge);
     const Vector3 along = mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h));
     // Do not search from the ends themselves, where curves meet.
-    this->NearestBoundary[mesh.Origin(h)] =
+    this->NearBoundaryEdges[mesh.Origin(h)] =
       originals.FindNearest(mesh.Position(mesh.Origin(h)) + FromEnd * along, edges.InwardOf(edge));
-    this->NearestBoundary[mesh.Target(h)] =
+    this->NearBoundaryEdges[mesh.Target(h)] =
       originals.FindNearest(mesh.Position(mesh.Target(h)) - FromEnd * along, edges.InwardOf(edge));
   }
   BoundaryProof proof;
@@ -146,13 +145,14 @@ std::vector<Index> ErrorBound::CoverBoundaries(const HalfEdgeMesh& mesh, const Z
   {
     const HalfEdgeId h = this->Boundaries.HalfEdge(item);
     const BoundaryProof::Piece whole = { this->Boundaries.Ends(item),
-      { this->LimitAt(this->Source.Origin(h)), this->LimitAt(this->Source.Target(h)) } };
-    if (zone != nullptr && !zone->MayReach(whole.Ends, whole.ErrorLimits[0]))
+      { this->LimitAt(this->OriginalMesh.Origin(h)),
+        this->LimitAt(this->OriginalMesh.Target(h)) } };
+    if (zone != nullptr && !zone->MayReach(whole.Ends, whole.Limits[0]))
     {
       continue;
     }
     const std::vector<Index> around = edges.FindAround(
-      whole.Ends, Inward(this->Source, h), std::max(whole.ErrorLimits[0], whole.ErrorLimits[1]));
+      whole.Ends, Inward(this->OriginalMesh, h), std::max(whole.Limits[0], whole.Limits[1]));
     proof.Candidates.clear();
     for (const Index edge : around)
     {
@@ -163,14 +163,14 @@ std::vector<Index> ErrorBound::CoverBoundaries(const HalfEdgeMesh& mesh, const Z
       whole, [&](std::size_t i) { used.push_back(edges.Curves().HalfEdge(around[i])); });
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
-    if (!isProved || used.size() > Coverage::SlotsPerItem)
+    if (!isProved || used.size() > Coverage::SlotsPerElement)
     {
       left.push_back(HalfEdgeMesh::Face(h));
       continue;
     }
     for (const Index covering : used)
     {
-      this->ByBoundaries.Add(item, covering);
+      this->BoundaryCoverage.Add(item, covering);
     }
   }
   return left;
@@ -184,13 +184,12 @@ std::vector<Index> ProveStart(ErrorBound& bound, const ReferenceMesh& reference,
   for (std::size_t i = 0; i < originals.size() && zone != nullptr; ++i)
   {
     const Triangle c = reference.Mesh.Corners(static_cast<Index>(i));
-    const std::array<Vector3, 3> corners = { reference.Mesh.Position(c[0]),
-      reference.Mesh.Position(c[1]), reference.Mesh.Position(c[2]) };
+    const std::array<Vector3, 3> corners = PositionsOf(reference.Mesh, static_cast<Index>(i));
     originals[i] = zone->MayReach(corners, bound.LimitAt(c[0])) ? 1 : 0;
   }
   const EditJournal none(mesh);
   std::vector<Index> left = BulkProof(bound, bound.Limits(), mesh, none, threads)
-                              .CoverFirst(originals, reference.NearVertex);
+                              .ProveInitialCoverage(originals, reference.NearVertex);
   const std::vector<Index> boundaries = bound.CoverBoundaries(mesh, zone);
   left.insert(left.end(), boundaries.begin(), boundaries.end());
   return left;

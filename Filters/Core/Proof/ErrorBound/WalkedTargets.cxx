@@ -6,12 +6,12 @@ namespace bonedecimate
 {
 PieceCover<2>::Corner WalkedBoundary::Find(const Vector3& p, Index hint) const
 {
-  Index best = this->FeatureCurves.WalkFrom(p, hint);
+  Index best = this->Curves.WalkFrom(p, hint);
   double excess = this->Distance(p, best) - this->Limit(best); // mm
-  for (Index from = None; this->Allowed.Differ() && excess > 0.0 && from != best;)
+  for (Index from = None; !this->Limits.IsUniform() && excess > 0.0 && from != best;)
   {
     from = best;
-    for (const Index next : this->FeatureCurves.NeighborsOf(from))
+    for (const Index next : this->Curves.NeighborsOf(from))
     {
       // mm
       const double other = next == None ? excess : this->Distance(p, next) - this->Limit(next);
@@ -29,7 +29,7 @@ PieceCover<3>::Corner WalkedSurface::Find(const Vector3& p, Index hint) const
   const double limit = this->Limit(found.Face);
   if (found.Point.SquaredDistance > limit * limit)
   {
-    const Index nearest = this->Allowed.Differ()
+    const Index nearest = !this->Limits.IsUniform()
       ? this->Tree.FindNearest(p, found.Face).Triangle
       : this->Tree.FindNearestWithin(p, limit * limit).Triangle;
     found.Face = nearest != None ? nearest : found.Face;
@@ -40,19 +40,19 @@ PieceCover<3>::Corner WalkedSurface::Find(const Vector3& p, Index hint) const
 }
 
 //------------------------------------------------------------------------------
-/// As it is, unless it is too far and limits differ.
+/// The neighbor of least distance - limit, step by step, if a point is too far and limits differ.
 PieceCover<3>::Corner WalkedSurface::FindBetter(const PieceCover<3>::Corner& from) const
 {
   PieceCover<3>::Corner best = from;
   double excess = best.Distance - this->Limit(best.Nearest); // mm
-  for (Index last = None; this->Allowed.Differ() && excess > 0.0 && last != best.Nearest;)
+  for (Index last = None; !this->Limits.IsUniform() && excess > 0.0 && last != best.Nearest;)
   {
     last = best.Nearest;
     for (const Index corner : this->Mesh.Corners(last))
     {
       if (this->Mesh.Constraint(corner) == VertexConstraint::NonManifold)
       {
-        continue; // rings of those are not walked
+        continue; // has no ring to walk
       }
       for (const HalfEdgeId h : this->Mesh.OutgoingOf(corner))
       {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WalkedTargets.h
- * @brief Searches for the nearest part of the original and of its boundaries, for PieceCover.
+ * @brief Finds the nearest part of the original or of its boundaries, for PieceCover and FaceProof.
  *
- * If limits differ, the nearest part may not have the largest margin. If it is too far, the search
- * continues with its neighbors while the distance less the limit falls.
+ * If limits differ, the nearest part need not be the one with the largest margin. If it is too far,
+ * the search continues with its neighbors while distance - limit falls.
  */
 #ifndef BoneDecimate_Core_Proof_ErrorBound_WalkedTargets_h
 #define BoneDecimate_Core_Proof_ErrorBound_WalkedTargets_h
@@ -22,24 +22,18 @@ namespace bonedecimate
 class WalkedBoundary
 {
 public:
-  WalkedBoundary(const BoundaryCurves& lines, const ErrorLimits& limits)
-    : FeatureCurves(lines)
-    , Allowed(limits)
+  WalkedBoundary(const BoundaryCurves& curves, const ErrorLimits& limits)
+    : Curves(curves)
+    , Limits(limits)
   {
   }
   PieceCover<2>::Corner Find(const Vector3& p, Index hint) const;
-  double Distance(const Vector3& p, Index edge) const
-  {
-    return this->FeatureCurves.Distance(p, edge);
-  }
-  double Limit(Index edge) const
-  {
-    return this->Allowed.OverEdge(this->FeatureCurves.HalfEdge(edge));
-  }
+  double Distance(const Vector3& p, Index edge) const { return this->Curves.Distance(p, edge); }
+  double Limit(Index edge) const { return this->Limits.OfEdge(this->Curves.HalfEdge(edge)); }
 
 private:
-  const BoundaryCurves& FeatureCurves;
-  const ErrorLimits& Allowed;
+  const BoundaryCurves& Curves;
+  const ErrorLimits& Limits;
 };
 
 /// Finds near triangles of the original by walking over it.
@@ -49,7 +43,7 @@ public:
   WalkedSurface(const HalfEdgeMesh& mesh, const BoundingTree& tree, const ErrorLimits& limits)
     : Mesh(mesh)
     , Tree(tree)
-    , Allowed(limits)
+    , Limits(limits)
   {
   }
   PieceCover<3>::Corner Find(const Vector3& p, Index hint) const;
@@ -57,7 +51,7 @@ public:
   {
     return std::sqrt(FrameOf(this->Mesh, face).SquaredReach(p));
   }
-  double Limit(FaceId face) const { return this->Allowed.Over(face); }
+  double Limit(FaceId face) const { return this->Limits.OfTriangle(face); }
   bool IsWithin(const PieceCover<3>::Corner& corner) const
   {
     return corner.Distance <= this->Limit(corner.Nearest);
@@ -68,7 +62,7 @@ private:
 
   const HalfEdgeMesh& Mesh;
   const BoundingTree& Tree;
-  const ErrorLimits& Allowed;
+  const ErrorLimits& Limits;
 };
 }
 

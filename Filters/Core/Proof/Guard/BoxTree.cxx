@@ -11,11 +11,11 @@ namespace bonedecimate
 BoxTree::BoxTree(std::vector<FloatBox> boxes, int threads)
   : Boxes(std::move(boxes))
 {
-  while (this->Leaves * OfLeaf < this->Boxes.size())
+  while (this->Leaves * BoxesPerLeaf < this->Boxes.size())
   {
     this->Leaves *= 2;
   }
-  const std::size_t used = (this->Boxes.size() + OfLeaf - 1) / OfLeaf;
+  const std::size_t used = (this->Boxes.size() + BoxesPerLeaf - 1) / BoxesPerLeaf;
   this->Nodes.resize(this->Leaves + used);
   ForEachId(used, threads, [this](std::size_t leaf) { this->FillLeaf(leaf); });
   for (std::size_t node = this->Leaves; --node > 0;)
@@ -28,8 +28,8 @@ BoxTree::BoxTree(std::vector<FloatBox> boxes, int threads)
 void BoxTree::FillLeaf(std::size_t leaf)
 {
   FloatBox around;
-  const std::size_t end = std::min(this->Boxes.size(), (leaf + 1) * OfLeaf);
-  for (std::size_t i = leaf * OfLeaf; i < end; ++i)
+  const std::size_t end = std::min(this->Boxes.size(), (leaf + 1) * BoxesPerLeaf);
+  for (std::size_t i = leaf * BoxesPerLeaf; i < end; ++i)
   {
     around.Add(this->Boxes[i]);
   }
@@ -50,8 +50,8 @@ void BoxTree::Join(std::size_t node)
 void BoxTree::Set(std::size_t i, const FloatBox& box)
 {
   this->Boxes[i] = box;
-  this->FillLeaf(i / OfLeaf);
-  for (std::size_t node = (this->Leaves + i / OfLeaf) / 2; node > 0; node /= 2)
+  this->FillLeaf(i / BoxesPerLeaf);
+  for (std::size_t node = (this->Leaves + i / BoxesPerLeaf) / 2; node > 0; node /= 2)
   {
     this->Join(node);
   }

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BoxTree.h
- * @brief Finds boxes that meet a box.
- *
- * A binary tree over the boxes as they come, which should lie near each other in that order.
+ * @brief Finds boxes that meet a box: a binary tree over the boxes in their order, in which
+ * neighbors should lie near each other.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_BoxTree_h
 #define BoneDecimate_Core_Proof_Guard_BoxTree_h
@@ -45,8 +44,8 @@ public:
         stack[size++] = 2 * at;
         continue;
       }
-      const std::size_t first = (at - this->Leaves) * OfLeaf;
-      for (std::size_t i = first; i < std::min(this->Boxes.size(), first + OfLeaf); ++i)
+      const std::size_t first = (at - this->Leaves) * BoxesPerLeaf;
+      for (std::size_t i = first; i < std::min(this->Boxes.size(), first + BoxesPerLeaf); ++i)
       {
         if (this->Boxes[i].Meets(box))
         {
@@ -57,14 +56,14 @@ public:
   }
 
 private:
-  static constexpr std::size_t OfLeaf = 8; // boxes
+  static constexpr std::size_t BoxesPerLeaf = 8;
 
   void FillLeaf(std::size_t leaf);
   void Join(std::size_t node);
 
   std::vector<FloatBox> Boxes;
   std::size_t Leaves = 1; // a power of two
-  // children of i: 2 i and 2 i + 1; the root is 1; without empty ones at the end
+  // The children of i are 2 i and 2 i + 1; the root is 1. Empty ones at the end are left out.
   std::vector<FloatBox> Nodes;
 };
 }

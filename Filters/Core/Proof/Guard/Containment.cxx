@@ -58,13 +58,14 @@ public:
   {
     if (tree == nullptr)
     {
-      this->Own.emplace(TrianglesOf(mesh, this->Faces), threads);
-      this->Tree = &*this->Own;
+      this->OwnTree.emplace(TrianglesOf(mesh, this->Faces), threads);
+      this->Tree = &*this->OwnTree;
     }
   }
 
-  /// Components that a ray from the vertex leaves an odd number of times; none if it is unclear.
-  std::optional<std::vector<Index>> Along(
+  /// Components that a ray from the vertex meets an odd number of times. Nothing if it passes
+  /// through an edge.
+  std::optional<std::vector<Index>> FindAlong(
     VertexId vertex, const Vector3& direction, double length) const
   {
     const Vector3 from = this->Mesh.Position(vertex);
@@ -96,13 +97,13 @@ private:
   const std::function<Index(VertexId)>& ComponentOf;
   const BoundingTree* Tree;
   std::vector<FaceId> Faces; // of the tree; empty: its triangles are the faces
-  std::optional<BoundingTree> Own;
+  std::optional<BoundingTree> OwnTree;
 };
 
-/// How many vertices of a component are tried: one may lie on another component.
+/// Vertices of a component that are tried: one may lie on another component.
 constexpr int MaxTries = 8;
 
-/// mm, longer than any way within the mesh.
+/// mm, longer than the mesh.
 double LengthOf(const HalfEdgeMesh& mesh)
 {
   double length = 0.0;
@@ -132,11 +133,11 @@ std::vector<std::vector<Index>> FindEnclosing(const HalfEdgeMesh& mesh, Index co
     {
       continue;
     }
-    // Directions that no modeled geometry is aligned with.
+    // Directions along which modeled geometry is hardly ever aligned.
     for (const Vector3& direction : { Vector3(0.61, 0.53, 0.587), Vector3(-0.37, 0.71, -0.599),
            Vector3(0.43, -0.29, 0.855), Vector3(-0.12, -0.81, 0.574) })
     {
-      if (const auto found = search.Along(vertex, direction.normalized(), length))
+      if (const auto found = search.FindAlong(vertex, direction.normalized(), length))
       {
         enclosing[componentOf(vertex)] = *found;
         tries[componentOf(vertex)] = MaxTries;

@@ -11,19 +11,19 @@ namespace bonedecimate
 {
 namespace
 {
-/// Cells along an axis are numbered by 21 bits; what lies beyond counts to the last.
+/// Cells along an axis have numbers of 21 bits; positions beyond count to the last one.
 constexpr std::int32_t Farthest = (1 << 20) - 1;
-/// How many faces a cell is wide. Faces grow: in smaller cells they would soon be in too many,
-/// larger ones have parts of too many workers in them.
+/// Width of a cell, in faces. Faces grow: in smaller cells they would soon be in too many, and
+/// larger cells have parts of too many workers in them.
 constexpr double FacesOfSide = 2.0;
-/// How far from the surface empty cells get an interval, in sides of a cell.
+/// Distance from the surface within which empty cells get an interval, in sides of a cell.
 constexpr double Margin = 0.25;
-/// Slack for the rounding of quotients by the side of a cell, in sides of a cell.
+/// Slack for rounding, in sides of a cell.
 constexpr double Rounding = 1e-6;
 
-FaceGrid::Key NameOf(std::int32_t x, std::int32_t y, std::int32_t z)
+FaceGrid::CellKey KeyOf(std::int32_t x, std::int32_t y, std::int32_t z)
 {
-  const auto part = [](std::int64_t i) { return static_cast<FaceGrid::Key>(i + Farthest + 1); };
+  const auto part = [](std::int64_t i) { return static_cast<FaceGrid::CellKey>(i + Farthest + 1); };
   return part(x) << 42U | part(y) << 21U | part(z);
 }
 
@@ -32,8 +32,8 @@ std::int32_t Floor(double coordinate) // in sides of a cell
   return static_cast<std::int32_t>(std::floor(std::clamp<double>(coordinate, -Farthest, Farthest)));
 }
 
-/// The cells that a triangle reaches into, column by column of the axis along which its plane is
-/// steepest.
+/// The cells that a triangle reaches, column by column along the axis in which its normal is
+/// longest.
 class Columns
 {
 public:
@@ -43,8 +43,8 @@ public:
   {
     this->Low = p[0].cwiseMin(p[1]).cwiseMin(p[2]).array() - reach;
     this->High = p[0].cwiseMax(p[1]).cwiseMax(p[2]).array() + reach;
-    this->Normal.cwiseAbs().maxCoeff(&this->Along);
-    const double steepest = this->Normal[this->Along];
+    this->Normal.cwiseAbs().maxCoeff(&this->Axis);
+    const double steepest = this->Normal[this->Axis];
     const double farthest =
       std::max(this->Low.cwiseAbs().maxCoeff(), this->High.cwiseAbs().maxCoeff());
     this->HasPlane = steepest != 0.0 && farthest < Farthest;
@@ -53,35 +53,35 @@ public:
       this->Normal /= steepest;
       const Vector3 heights(
         Dot(this->Normal, p[0]), Dot(this->Normal, p[1]), Dot(this->Normal, p[2]));
-      // A cell's columns are one wide; the plane rises by no more than that across them.
+      // Within half the width of a column, 1, the plane rises by no more than that.
       const double slack =
         reach * this->Normal.norm() + 0.5 * (this->Normal.cwiseAbs().sum() - 1.0) + Rounding;
-      this->Least = heights.minCoeff() - slack;
-      this->Most = heights.maxCoeff() + slack;
+      this->MinHeight = heights.minCoeff() - slack;
+      this->MaxHeight = heights.maxCoeff() + slack;
     }
   }
 
-  /// Where the column begins and ends whose middle lies at u and v of the two other axes.
+  /// First and last cell of the column whose middle lies at u and v of the two other axes.
   std::array<std::int32_t, 2> Ends(Eigen::Index u, double atU, Eigen::Index v, double atV) const
   {
-    double low = this->Low[this->Along];
-    double high = this->High[this->Along];
+    double low = this->Low[this->Axis];
+    double high = this->High[this->Axis];
     if (this->HasPlane)
     {
       const double height = this->Normal[u] * atU + this->Normal[v] * atV;
-      low = std::max(low, this->Least - height);
-      high = std::min(high, this->Most - height);
+      low = std::max(low, this->MinHeight - height);
+      high = std::min(high, this->MaxHeight - height);
     }
     return { Floor(low), low <= high ? Floor(high) : Floor(low) - 1 };
   }
 
-  Eigen::Index Along = 0;
+  Eigen::Index Axis = 0;
   Vector3 Low, High; // in sides of a cell
 
 private:
   Vector3 Normal;
   bool HasPlane = false;
-  double Least = 0.0, Most = 0.0; // heights along the axis
+  double MinHeight = 0.0, MaxHeight = 0.0; // heights along the axis
 };
 }
 
@@ -91,7 +91,7 @@ FaceGrid::Nodes::Nodes()
 }
 
 //------------------------------------------------------------------------------
-Index FaceGrid::Nodes::Take()
+Index FaceGrid::Nodes::Allocate()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (this->FirstFree != None)
@@ -100,15 +100,15 @@ Index FaceGrid::Nodes::Take()
     this->FirstFree = (*this)[node].Next;
     return node;
   }
-  if (this->Count % OfChunk == 0)
+  if (this->Count % NodesPerChunk == 0)
   {
-    this->Chunks[this->Count / OfChunk] = std::make_unique<Node[]>(OfChunk);
+    this->Chunks[this->Count / NodesPerChunk] = std::make_unique<Node[]>(NodesPerChunk);
   }
   return this->Count++;
 }
 
 //------------------------------------------------------------------------------
-void FaceGrid::Nodes::Give(Index node)
+void FaceGrid::Nodes::Release(Index node)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   (*this)[node].Next = this->FirstFree;
@@ -116,12 +116,12 @@ void FaceGrid::Nodes::Give(Index node)
 }
 
 //------------------------------------------------------------------------------
-FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double leastCell)
-  : Side(CellFor(mesh, leastCell))
+FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double minCellSize)
+  : CellSize(ChooseCellSize(mesh, minCellSize))
   , LastVertex(mesh.NumberOfVertexSlots() - 1)
   , Cells(1024)
 {
-  std::vector<Key> cells;
+  std::vector<CellKey> cells;
   for (Index face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
     if (!mesh.IsAlive(face))
@@ -131,8 +131,8 @@ FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double leastCell)
     const Triangle v = mesh.Corners(face);
     const TriangleCorners corners = CornersOf(mesh, v);
     cells.clear();
-    this->AddCells(corners, Margin * this->Side, cells);
-    for (const Key cell : cells)
+    this->AddCells(corners, Margin * this->CellSize, cells);
+    for (const CellKey cell : cells)
     {
       Cell& known = this->FindOrAdd(cell);
       known.Low = std::min({ known.Low.load(), v[0], v[1], v[2] });
@@ -145,9 +145,9 @@ FaceGrid::FaceGrid(const HalfEdgeMesh& mesh, double leastCell)
 }
 
 //------------------------------------------------------------------------------
-/// Some faces on average, many more where few faces are so large that they would fill too many
+/// A cell is a few mean faces wide, more if some faces are so large that they would fill too many
 /// cells.
-double FaceGrid::CellFor(const HalfEdgeMesh& mesh, double least)
+double FaceGrid::ChooseCellSize(const HalfEdgeMesh& mesh, double minSize)
 {
   double lengths = 0.0; // mm
   double areas = 0.0;   // mm^2
@@ -163,15 +163,17 @@ double FaceGrid::CellFor(const HalfEdgeMesh& mesh, double least)
     areas += size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
   }
   const double faces = std::max(1, mesh.NumberOfFaces());
-  return FacesOfSide * std::max({ least, 1.25 * lengths / faces, std::sqrt(areas / faces), 1e-30 });
+  return FacesOfSide *
+    std::max({ minSize, 1.25 * lengths / faces, std::sqrt(areas / faces), 1e-30 });
 }
 
 //------------------------------------------------------------------------------
-void FaceGrid::AddCells(const TriangleCorners& corners, double reach, std::vector<Key>& cells) const
+void FaceGrid::AddCells(
+  const TriangleCorners& corners, double reach, std::vector<CellKey>& cells) const
 {
-  const double perSide = 1.0 / this->Side;
+  const double perSide = 1.0 / this->CellSize;
   TriangleCorners p = { corners[0] * perSide, corners[1] * perSide, corners[2] * perSide };
-  // In whatever order they come: what is inserted has to be found when it is removed.
+  // Sorted, so the cells of insertion and removal are the same whatever the order of the corners.
   for (const std::size_t i : { 0U, 1U, 0U })
   {
     if (std::lexicographical_compare(
@@ -181,29 +183,29 @@ void FaceGrid::AddCells(const TriangleCorners& corners, double reach, std::vecto
     }
   }
   const Columns columns(p, reach * perSide + Rounding);
-  const Eigen::Index u = (columns.Along + 1) % 3;
-  const Eigen::Index v = (columns.Along + 2) % 3;
+  const Eigen::Index u = (columns.Axis + 1) % 3;
+  const Eigen::Index v = (columns.Axis + 2) % 3;
   std::array<std::int32_t, 3> at;
   for (at[u] = Floor(columns.Low[u]); at[u] <= Floor(columns.High[u]); ++at[u])
   {
     for (at[v] = Floor(columns.Low[v]); at[v] <= Floor(columns.High[v]); ++at[v])
     {
       const std::array<std::int32_t, 2> ends = columns.Ends(u, at[u] + 0.5, v, at[v] + 0.5);
-      for (at[columns.Along] = ends[0]; at[columns.Along] <= ends[1]; ++at[columns.Along])
+      for (at[columns.Axis] = ends[0]; at[columns.Axis] <= ends[1]; ++at[columns.Axis])
       {
-        cells.push_back(NameOf(at[0], at[1], at[2]));
+        cells.push_back(KeyOf(at[0], at[1], at[2]));
       }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/// Where the cell is, or where it would be.
-std::size_t FaceGrid::SlotOf(Key cell) const
+/// The slot of the cell, or the free one for it.
+std::size_t FaceGrid::SlotOf(CellKey cell) const
 {
   const std::size_t mask = this->Cells.size() - 1;
   std::size_t slot = this->FirstSlotOf(cell);
-  while (this->Cells[slot].Name != cell && this->Cells[slot].Name != Free)
+  while (this->Cells[slot].Key != cell && this->Cells[slot].Key != Free)
   {
     slot = (slot + 1) & mask;
   }
@@ -212,17 +214,17 @@ std::size_t FaceGrid::SlotOf(Key cell) const
 
 //------------------------------------------------------------------------------
 /// Only a worker whose range is the whole mesh may add one.
-FaceGrid::Cell& FaceGrid::FindOrAdd(Key cell)
+FaceGrid::Cell& FaceGrid::FindOrAdd(CellKey cell)
 {
   std::size_t slot = this->SlotOf(cell);
-  if (this->Cells[slot].Name == Free)
+  if (this->Cells[slot].Key == Free)
   {
-    if (3 * ++this->Used > 2 * this->Cells.size())
+    if (3 * ++this->UsedCells > 2 * this->Cells.size())
     {
       this->Grow();
       slot = this->SlotOf(cell);
     }
-    this->Cells[slot].Name = cell;
+    this->Cells[slot].Key = cell;
   }
   return this->Cells[slot];
 }
@@ -234,11 +236,11 @@ void FaceGrid::Grow()
   old.swap(this->Cells);
   for (const Cell& cell : old)
   {
-    if (cell.Name != Free)
+    if (cell.Key != Free)
     {
-      Cell& moved = this->Cells[this->SlotOf(cell.Name)];
-      moved.Name = cell.Name;
-      moved.First = cell.First;
+      Cell& moved = this->Cells[this->SlotOf(cell.Key)];
+      moved.Key = cell.Key;
+      moved.FirstNode = cell.FirstNode;
       moved.Low = cell.Low.load();
       moved.High = cell.High.load();
     }
@@ -252,44 +254,45 @@ bool FaceGrid::HoldsAll(VertexRange range) const
 }
 
 //------------------------------------------------------------------------------
-FaceGrid::Key FaceGrid::CellAt(const Vector3& corner) const
+FaceGrid::CellKey FaceGrid::CellAt(const Vector3& corner) const
 {
-  const Vector3 p = corner * (1.0 / this->Side);
-  return NameOf(Floor(p[0]), Floor(p[1]), Floor(p[2]));
+  const Vector3 p = corner * (1.0 / this->CellSize);
+  return KeyOf(Floor(p[0]), Floor(p[1]), Floor(p[2]));
 }
 
 //------------------------------------------------------------------------------
-bool FaceGrid::OwnsAll(VertexRange range, const std::vector<Key>& cells) const
+bool FaceGrid::OwnsAll(VertexRange range, const std::vector<CellKey>& cells) const
 {
-  for (const Key cell : cells)
+  for (const CellKey cell : cells)
   {
     Prefetch(&this->Cells[this->FirstSlotOf(cell)]);
   }
-  return std::all_of(cells.begin(), cells.end(), [&](Key cell) { return this->Owns(range, cell); });
+  return std::all_of(
+    cells.begin(), cells.end(), [&](CellKey cell) { return this->Owns(range, cell); });
 }
 
 //------------------------------------------------------------------------------
-/// Safe while the owner extends the interval: before and after that, no other worker's range
-/// contains it.
-bool FaceGrid::Owns(VertexRange range, Key name) const
+/// Safe while the owner extends the interval: neither before nor after does the range of another
+/// worker contain it.
+bool FaceGrid::Owns(VertexRange range, CellKey key) const
 {
-  const Cell& cell = this->Cells[this->SlotOf(name)];
-  return cell.Name != Free && range.Contains(cell.Low.load(std::memory_order_relaxed)) &&
+  const Cell& cell = this->Cells[this->SlotOf(key)];
+  return cell.Key != Free && range.Contains(cell.Low.load(std::memory_order_relaxed)) &&
     range.Contains(cell.High.load(std::memory_order_relaxed));
 }
 
 //------------------------------------------------------------------------------
 void FaceGrid::AddFaces(
-  const std::vector<Key>& cells, const FloatBox& box, std::vector<Index>& faces) const
+  const std::vector<CellKey>& cells, const FloatBox& box, std::vector<Index>& faces) const
 {
-  for (const Key name : cells)
+  for (const CellKey key : cells)
   {
-    for (Index node = this->Cells[this->SlotOf(name)].First; node != None;
-         node = this->Entries[node].Next)
+    for (Index node = this->Cells[this->SlotOf(key)].FirstNode; node != None;
+         node = this->NodePool[node].Next)
     {
-      if (this->Entries[node].Box.Meets(box))
+      if (this->NodePool[node].Box.Meets(box))
       {
-        faces.push_back(this->Entries[node].Face);
+        faces.push_back(this->NodePool[node].Face);
       }
     }
   }
@@ -297,16 +300,16 @@ void FaceGrid::AddFaces(
 
 //------------------------------------------------------------------------------
 void FaceGrid::Insert(Index face, const Triangle& vertices, const TriangleCorners& corners,
-  const std::vector<Key>& cells)
+  const std::vector<CellKey>& cells)
 {
   const FloatBox box(corners);
   const auto [low, high] = std::minmax({ vertices[0], vertices[1], vertices[2] });
-  for (const Key name : cells)
+  for (const CellKey key : cells)
   {
-    Cell& cell = this->FindOrAdd(name);
-    const Index node = this->Entries.Take();
-    this->Entries[node] = { face, cell.First, box };
-    cell.First = node;
+    Cell& cell = this->FindOrAdd(key);
+    const Index node = this->NodePool.Allocate();
+    this->NodePool[node] = { face, cell.FirstNode, box };
+    cell.FirstNode = node;
     cell.Low.store(
       std::min(cell.Low.load(std::memory_order_relaxed), low), std::memory_order_relaxed);
     cell.High.store(
@@ -315,18 +318,18 @@ void FaceGrid::Insert(Index face, const Triangle& vertices, const TriangleCorner
 }
 
 //------------------------------------------------------------------------------
-void FaceGrid::Remove(Index face, const std::vector<Key>& cells)
+void FaceGrid::Remove(Index face, const std::vector<CellKey>& cells)
 {
-  for (const Key name : cells)
+  for (const CellKey key : cells)
   {
-    Index* link = &this->Cells[this->SlotOf(name)].First;
-    while (this->Entries[*link].Face != face)
+    Index* link = &this->Cells[this->SlotOf(key)].FirstNode;
+    while (this->NodePool[*link].Face != face)
     {
-      link = &this->Entries[*link].Next;
+      link = &this->NodePool[*link].Next;
     }
     const Index node = *link;
-    *link = this->Entries[node].Next;
-    this->Entries.Give(node);
+    *link = this->NodePool[node].Next;
+    this->NodePool.Release(node);
   }
 }
 }

@@ -9,7 +9,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Beyond the value by more than the rounding to single precision and that of this.
+/// Beyond the value by more than all rounding errors.
 /// @param direction 1: above; -1: below.
 float Beyond(double value, float direction)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FloatBox.h
- * @brief Boxes of half the memory, to reject most of what is not near.
+ * @brief Boxes in single precision, half the memory, to reject most of what is not near.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_FloatBox_h
 #define BoneDecimate_Core_Proof_Guard_FloatBox_h
@@ -16,22 +16,22 @@ namespace bonedecimate
 {
 constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 
-/// mm, a little too large.
+/// Bounds in mm, rounded outward.
 struct FloatBox
 {
   std::array<float, 3> Low, High;
 
-  /// Empty.
+  /// An empty box.
   FloatBox();
-  /// @param reach mm, by which the box is larger.
+  /// @param reach mm, by which the box is larger on all sides.
   explicit FloatBox(const TriangleCorners& corners, double reach = 0.0);
   void Add(const FloatBox& other);
-  /// @param reach mm, by which the other one is larger.
+  /// @param reach mm, by which the new box is larger on all sides.
   FloatBox Grown(double reach) const;
   double Diagonal() const; ///< mm.
-  /// mm, at least; 0 if they meet.
+  /// mm, a lower bound; 0 if the boxes meet.
   double DistanceTo(const FloatBox& other) const;
-  /// Whether two boxes meet, without branches: most boxes that are compared are near each other.
+  /// Whether two boxes meet. Without branches, because most compared boxes are near each other.
   bool Meets(const FloatBox& other) const
   {
     unsigned meets = 1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GapPairs.h"
 
-#include "PartTree.h"
+#include "FragmentTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,18 +14,20 @@ namespace
 /// Least ratio of a gap to its initial width.
 constexpr double MinGapRatio = 0.5;
 
-/// mm, at first, where the two stand; infinite if there was none.
-double GapOf(const GapRule& widths, const Piece& a, const Piece& b)
+/// mm, the initial width of the gap between two faces; infinite if there was none.
+double GapOf(const GapRule& widths, const PairFace& a, const PairFace& b)
 {
-  const Gap both = a.MinGap.And(b.MinGap);
-  return widths.PartOf(a.Vertices[0]) == widths.PartOf(b.Vertices[0]) ? both.ToOwn : both.ToOther;
+  const Gap both = Min(a.MinGap, b.MinGap);
+  return widths.FragmentOf(a.Vertices[0]) == widths.FragmentOf(b.Vertices[0])
+    ? both.WithinFragment
+    : both.BetweenFragments;
 }
 }
 
 double ReachOf(const Gap& gap)
 {
   double reach = 0.0;
-  for (const float width : { gap.ToOwn, gap.ToOther })
+  for (const float width : { gap.WithinFragment, gap.BetweenFragments })
   {
     reach = std::isfinite(width) ? std::max<double>(reach, MinGapRatio * width) : reach;
   }
@@ -33,33 +35,33 @@ double ReachOf(const Gap& gap)
 }
 
 //------------------------------------------------------------------------------
-bool IsTooNear(
-  const GapRule& widths, const Piece& piece, const Piece& near, const std::vector<Piece>& old)
+bool IsTooNear(const GapRule& widths, const PairFace& face, const PairFace& near,
+  const std::vector<PairFace>& old)
 {
-  const double gap = GapOf(widths, piece, near);
-  const bool isOwn = widths.PartOf(piece.Vertices[0]) == widths.PartOf(near.Vertices[0]);
+  const double gap = GapOf(widths, face, near);
+  const bool isOwn = widths.FragmentOf(face.Vertices[0]) == widths.FragmentOf(near.Vertices[0]);
   const double squared = MinGapRatio * MinGapRatio * gap * gap; // mm^2
-  if (!std::isfinite(gap) || SquaredDistance(piece, near) >= squared ||
-    CountShared(piece, near) > 0)
+  if (!std::isfinite(gap) || SquaredDistance(face, near) >= squared ||
+    CountCommon(face.Vertices, near.Vertices) > 0)
   {
     return false;
   }
-  const Vector3 normal = isOwn ? piece.Normal() : Vector3::Zero();
+  const Vector3 normal = isOwn ? face.Normal() : Vector3::Zero();
   const Vector3 normalOfNear = isOwn ? near.Normal() : Vector3::Zero();
   if (isOwn && Dot(normal, normalOfNear) >= 0.0)
   {
     return false;
   }
-  const Way way = WayBetween(piece.Corners, near.Corners);
-  if (way.SquaredLength >= squared || (isOwn && !Face(normal, normalOfNear, way.FromAToB)))
+  const Connection way = ShortestConnection(face.Corners, near.Corners);
+  if (way.SquaredLength >= squared || (isOwn && !FaceEachOther(normal, normalOfNear, way.FromAToB)))
   {
     return false;
   }
   return std::all_of(old.begin(), old.end(),
-    [&](const Piece& gone)
+    [&](const PairFace& gone)
     {
-      return CountShared(gone, near) > 0 ||
-        WayBetween(gone.Corners, near.Corners).SquaredLength > way.SquaredLength;
+      return CountCommon(gone.Vertices, near.Vertices) > 0 ||
+        ShortestConnection(gone.Corners, near.Corners).SquaredLength > way.SquaredLength;
     });
 }
 
@@ -72,7 +74,7 @@ void MergeGaps(const EditJournal& journal, const HalfEdgeMesh& mesh, GapRule& wi
     if (!entry.IsUndone)
     {
       const Index keep = mesh.OriginalVertex(entry.Keep);
-      widths.Set(keep, widths.Of(keep).And(widths.Of(mesh.OriginalVertex(entry.Gone))));
+      widths.Set(keep, Min(widths.Of(keep), widths.Of(mesh.OriginalVertex(entry.Gone))));
     }
   }
 }

@@ -3,28 +3,13 @@
 #include "GapRule.h"
 
 #include "Base/Parallel.h"
+#include "FragmentTree.h"
 #include "Geometry/TriangleGeometry.h"
-#include "PartTree.h"
 
 namespace bonedecimate
 {
 namespace
 {
-std::vector<Vector3> NormalsOf(const Surface& surface)
-{
-  std::vector<Vector3> normals(surface.Points.size(), Vector3::Zero());
-  for (const Triangle& c : surface.Triangles)
-  {
-    const Vector3 area =
-      AreaVector(surface.Points[c[0]], surface.Points[c[1]], surface.Points[c[2]]);
-    for (const Index point : c)
-    {
-      normals[point] += area;
-    }
-  }
-  return normals;
-}
-
 /// Infinite if it is not less than the limit.
 float Below(double width, double limit)
 {
@@ -33,23 +18,25 @@ float Below(double width, double limit)
 }
 
 GapRule::GapRule(const Surface& surface, double limit, int threads, const Monitor& monitor)
-  : Parts(FindComponents(surface))
+  : Fragments(FindComponents(surface))
   , Widths(surface.Points.size())
 {
   if (!(limit > 0.0))
   {
     return;
   }
-  const PartTree tree(surface, this->Parts);
-  const std::vector<Vector3> normals = NormalsOf(surface);
+  const FragmentTree tree(surface, this->Fragments);
+  const std::vector<Vector3> normals = AreaNormals(surface.Points, surface.Triangles);
   const auto measure = [&](Index point)
   {
-    const Index part = this->Parts.OfPoint[point];
+    const Index fragment = this->Fragments.OfPoint[point];
     Gap& gap = this->Widths[point];
-    gap.ToOwn = Below(tree.ToFacing(point, normals[point].normalized(), limit), limit);
-    if (this->Parts.Count > 1)
+    gap.WithinFragment =
+      Below(tree.DistanceToFacing(point, normals[point].normalized(), limit), limit);
+    if (this->Fragments.Count > 1)
     {
-      gap.ToOther = Below(tree.ToOtherPart(surface.Points[point], part, limit), limit);
+      gap.BetweenFragments =
+        Below(tree.DistanceToOther(surface.Points[point], fragment, limit), limit);
     }
   };
   ForEachChunk(surface.Points.size(), threads, monitor,
@@ -64,8 +51,8 @@ GapRule::GapRule(const Surface& surface, double limit, int threads, const Monito
 
 double MinFragmentGap(const Surface& surface)
 {
-  const Components parts = FindComponents(surface);
-  return parts.Count > 1 ? PartTree(surface, parts).MinFragmentGap()
-                         : std::numeric_limits<double>::infinity();
+  const Components fragments = FindComponents(surface);
+  return fragments.Count > 1 ? FragmentTree(surface, fragments).MinFragmentGap()
+                             : std::numeric_limits<double>::infinity();
 }
 }

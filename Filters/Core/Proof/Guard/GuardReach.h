@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GuardReach.h
- * @brief How far the intersection guard looks, in largest errors.
+ * @brief Distances that the intersection guard checks, in largest errors.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_GuardReach_h
 #define BoneDecimate_Core_Proof_Guard_GuardReach_h
 
 namespace bonedecimate
 {
-/// Both sides may move by the error; a gap that many errors wide always keeps half of its width.
+/// Both sides may move by the error, so a wider gap always keeps half of its width.
 constexpr double ErrorsOfGap = 4.0;
-/// How far around what is edited a surface has to be known: both sides of a gap may move by one
-/// error, and a thousandth is for rounding.
+/// Distance around edits within which the surface has to be known: both sides of a gap may move by
+/// one error, and a thousandth is for rounding.
 constexpr double ErrorsOfReach = ErrorsOfGap + 2.001;
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IntersectionGuard.h"
 
+#include "FragmentTree.h"
 #include "GapPairs.h"
 #include "GuardReach.h"
-#include "PartTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,12 @@ namespace bonedecimate
 {
 namespace
 {
-double MaxReach(const std::vector<Piece>& pieces) // mm
+double MaxReach(const std::vector<PairFace>& faces) // mm
 {
   double most = 0.0;
-  for (const Piece& piece : pieces)
+  for (const PairFace& face : faces)
   {
-    most = std::max(most, piece.Reach);
+    most = std::max(most, face.Reach);
   }
   return most;
 }
@@ -29,54 +29,53 @@ IntersectionGuard::IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& su
   const Monitor& monitor)
   : Mesh(mesh)
   , Written(written)
-  , MinCell(error)
+  , MinCellSize(error)
   , Widths(surface, guardsGaps ? ErrorsOfGap * error : 0.0, threads, monitor)
 {
 }
 
 //------------------------------------------------------------------------------
-/// The least gap at the corners of a face, by their original vertices. A new vertex represents both
-/// vertices that were merged into it.
+/// The least gap at the corners of a face. A moved vertex represents both ends of its edit.
 Gap IntersectionGuard::MinGapOf(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& originals) const
 {
   Gap least = this->Widths.MinOf(originals);
-  const bool isMoved = change.Moved != None &&
-    std::find(originals.begin(), originals.end(), mesh.OriginalVertex(change.Moved)) !=
+  const bool isMoved = change.MovedVertex != None &&
+    std::find(originals.begin(), originals.end(), mesh.OriginalVertex(change.MovedVertex)) !=
       originals.end();
   if (isMoved)
   {
-    least = least.And(this->Widths.Of(mesh.OriginalVertex(change.Ends[0])));
-    least = least.And(this->Widths.Of(mesh.OriginalVertex(change.Ends[1])));
+    least = Min(least, this->Widths.Of(mesh.OriginalVertex(change.Ends[0])));
+    least = Min(least, this->Widths.Of(mesh.OriginalVertex(change.Ends[1])));
   }
   return least;
 }
 
 //------------------------------------------------------------------------------
-Piece IntersectionGuard::PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change,
+PairFace IntersectionGuard::PairFaceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change,
   const Triangle& vertices, const TriangleCorners& corners) const
 {
-  Piece piece(mesh, vertices, corners);
-  piece.MinGap = this->MinGapOf(mesh, change, piece.Vertices);
-  piece.Reach = ReachOf(piece.MinGap);
-  piece.Fragment = this->Widths.PartOf(piece.Vertices[0]);
-  return piece;
+  PairFace face(mesh, vertices, corners);
+  face.MinGap = this->MinGapOf(mesh, change, face.Vertices);
+  face.Reach = ReachOf(face.MinGap);
+  face.Fragment = this->Widths.FragmentOf(face.Vertices[0]);
+  return face;
 }
 
 //------------------------------------------------------------------------------
-void IntersectionGuard::FillPieces(
+void IntersectionGuard::FillFaces(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const
 {
-  work.Old.clear();
-  work.New.clear();
-  for (const Index face : change.OldFaces)
+  work.OldFaces.clear();
+  work.NewFaces.clear();
+  for (const Index id : change.OldFaces)
   {
-    const Triangle v = mesh.Corners(face);
-    work.Old.push_back(this->PieceOf(mesh, change, v, CornersOf(mesh, v)));
+    const Triangle v = mesh.Corners(id);
+    work.OldFaces.push_back(this->PairFaceOf(mesh, change, v, CornersOf(mesh, v)));
   }
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
-    work.New.push_back(this->PieceOf(mesh, change, face.Vertices, face.Corners));
+    work.NewFaces.push_back(this->PairFaceOf(mesh, change, face.Vertices, face.Corners));
   }
 }
 
@@ -84,16 +83,16 @@ void IntersectionGuard::FillPieces(
 void IntersectionGuard::FindCells(Pending& work) const
 {
   work.OldCells.clear();
-  work.EndsOfOld.clear();
+  work.OldCellEnds.clear();
   work.Cells.clear();
-  for (const Piece& piece : work.Old)
+  for (const PairFace& face : work.OldFaces)
   {
-    this->Grid->AddCells(piece.Corners, 0.0, work.OldCells);
-    work.EndsOfOld.push_back(work.OldCells.size());
+    this->Grid->AddCells(face.Corners, 0.0, work.OldCells);
+    work.OldCellEnds.push_back(work.OldCells.size());
   }
-  for (const Piece& piece : work.New)
+  for (const PairFace& face : work.NewFaces)
   {
-    this->Grid->AddCells(piece.Corners, piece.Reach + this->Written.Rounding(), work.Cells);
+    this->Grid->AddCells(face.Corners, face.Reach + this->Written.Rounding(), work.Cells);
   }
   work.Cells.insert(work.Cells.end(), work.OldCells.begin(), work.OldCells.end());
   std::sort(work.Cells.begin(), work.Cells.end());
@@ -101,86 +100,86 @@ void IntersectionGuard::FindCells(Pending& work) const
 }
 
 //------------------------------------------------------------------------------
-/// Remaining faces whose box is within the reach of the gap rule or meets the box of a removed
-/// face.
+/// Remaining faces whose box is within the reach of a new or an old face.
 void IntersectionGuard::FindNear(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const
 {
-  work.Faces.clear();
-  work.Near.clear();
+  work.FaceIds.clear();
+  work.NearFaces.clear();
   const std::vector<Index>& old = change.OldFaces;
   const double rounding = this->Written.Rounding();
-  const double reach = std::max(MaxReach(work.New), MaxReach(work.Old)) + rounding;
+  const double reach = std::max(MaxReach(work.NewFaces), MaxReach(work.OldFaces)) + rounding;
   work.Reach = reach;
-  const Vector3 wholeLow = MinOf(work.Old).cwiseMin(MinOf(work.New)).array() - reach;
-  const Vector3 wholeHigh = MaxOf(work.Old).cwiseMax(MaxOf(work.New)).array() + reach;
+  const Vector3 wholeLow = MinOf(work.OldFaces).cwiseMin(MinOf(work.NewFaces)).array() - reach;
+  const Vector3 wholeHigh = MaxOf(work.OldFaces).cwiseMax(MaxOf(work.NewFaces)).array() + reach;
   this->Grid->AddFaces(
-    work.Cells, FloatBox(TriangleCorners{ wholeLow, wholeHigh, wholeHigh }), work.Faces);
-  std::sort(work.Faces.begin(), work.Faces.end());
-  work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
-  for (const Index face : work.Faces)
+    work.Cells, FloatBox(TriangleCorners{ wholeLow, wholeHigh, wholeHigh }), work.FaceIds);
+  std::sort(work.FaceIds.begin(), work.FaceIds.end());
+  work.FaceIds.erase(std::unique(work.FaceIds.begin(), work.FaceIds.end()), work.FaceIds.end());
+  for (const Index id : work.FaceIds)
   {
-    const Triangle v = mesh.Corners(face);
+    const Triangle v = mesh.Corners(id);
     const TriangleCorners corners = CornersOf(mesh, v);
     const Vector3 low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
     const Vector3 high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
     const bool mayBeNear =
       (wholeHigh - low).minCoeff() >= 0.0 && (high - wholeLow).minCoeff() >= 0.0;
-    const auto isNear = [&](const Piece& piece)
+    const auto isNear = [&](const PairFace& face)
     {
-      const double within = piece.Reach + rounding;
-      return (piece.Low - high).cwiseMax(low - piece.High).cwiseMax(0.0).squaredNorm() <=
+      const double within = face.Reach + rounding;
+      return (face.Low - high).cwiseMax(low - face.High).cwiseMax(0.0).squaredNorm() <=
         within * within;
     };
     if (mayBeNear &&
-      (std::any_of(work.New.begin(), work.New.end(), isNear) ||
-        std::any_of(work.Old.begin(), work.Old.end(), isNear)) &&
-      std::find(old.begin(), old.end(), face) == old.end())
+      (std::any_of(work.NewFaces.begin(), work.NewFaces.end(), isNear) ||
+        std::any_of(work.OldFaces.begin(), work.OldFaces.end(), isNear)) &&
+      std::find(old.begin(), old.end(), id) == old.end())
     {
-      work.Near.push_back(this->PieceOf(mesh, change, v, corners));
+      work.NearFaces.push_back(this->PairFaceOf(mesh, change, v, corners));
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/// Remaining faces which may lie between the faces that go and the new ones. The volume between
-/// both is within the cones from one point over all of these faces, which are tetrahedra. Each of
-/// its points is no farther from one of their sides than the least height.
+/// Finds remaining faces that may lie between the old and the new faces. The volume between them is
+/// covered by cones from one point over all these faces. A cone is a tetrahedron, and no point of
+/// it is farther from its sides than its least height.
 void IntersectionGuard::FindSwept(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const
 {
   work.Cells.clear();
-  work.Faces.clear();
-  work.Swept.clear();
-  const Vector3 apex = change.Moved != None ? change.Requested.Position : work.New[0].Corners[0];
-  for (const std::vector<Piece>* pieces : { &work.Old, &work.New })
+  work.FaceIds.clear();
+  work.SweptFaces.clear();
+  const Vector3 apex =
+    change.MovedVertex != None ? change.Requested.Position : work.NewFaces[0].Corners[0];
+  for (const std::vector<PairFace>* faces : { &work.OldFaces, &work.NewFaces })
   {
-    for (const Piece& piece : *pieces)
+    for (const PairFace& face : *faces)
     {
-      this->AddCellsOfCone(piece.Corners, apex, work.Cells);
+      this->AddCellsOfCone(face.Corners, apex, work.Cells);
     }
   }
   std::sort(work.Cells.begin(), work.Cells.end());
   work.Cells.erase(std::unique(work.Cells.begin(), work.Cells.end()), work.Cells.end());
-  const Vector3 low = MinOf(work.Old).cwiseMin(MinOf(work.New));
-  const Vector3 high = MaxOf(work.Old).cwiseMax(MaxOf(work.New));
-  this->Grid->AddFaces(work.Cells, FloatBox(TriangleCorners{ low, high, high }), work.Faces);
-  std::sort(work.Faces.begin(), work.Faces.end());
-  work.Faces.erase(std::unique(work.Faces.begin(), work.Faces.end()), work.Faces.end());
+  const Vector3 low = MinOf(work.OldFaces).cwiseMin(MinOf(work.NewFaces));
+  const Vector3 high = MaxOf(work.OldFaces).cwiseMax(MaxOf(work.NewFaces));
+  this->Grid->AddFaces(work.Cells, FloatBox(TriangleCorners{ low, high, high }), work.FaceIds);
+  std::sort(work.FaceIds.begin(), work.FaceIds.end());
+  work.FaceIds.erase(std::unique(work.FaceIds.begin(), work.FaceIds.end()), work.FaceIds.end());
   const std::vector<Index>& old = change.OldFaces;
-  for (const Index face : work.Faces)
+  for (const Index face : work.FaceIds)
   {
     if (std::find(old.begin(), old.end(), face) == old.end())
     {
       const Triangle v = mesh.Corners(face);
-      work.Swept.emplace_back(mesh, v, CornersOf(mesh, v));
+      work.SweptFaces.emplace_back(mesh, v, CornersOf(mesh, v));
     }
   }
 }
 
 //------------------------------------------------------------------------------
 void IntersectionGuard::AddCellsOfCone(
-  const TriangleCorners& base, const Vector3& apex, std::vector<FaceGrid::Key>& cells) const
+  const TriangleCorners& base, const Vector3& apex, std::vector<FaceGrid::CellKey>& cells) const
 {
   const std::array<TriangleCorners, 4> sides = { { base, { base[0], base[1], apex },
     { base[1], base[2], apex }, { base[2], base[0], apex } } };
@@ -203,11 +202,11 @@ void IntersectionGuard::AddCellsOfCone(
 //------------------------------------------------------------------------------
 bool IntersectionGuard::NarrowsGap(const Pending& work) const
 {
-  return std::any_of(work.New.begin(), work.New.end(),
-    [&](const Piece& piece)
+  return std::any_of(work.NewFaces.begin(), work.NewFaces.end(),
+    [&](const PairFace& face)
     {
-      return std::any_of(work.Near.begin(), work.Near.end(),
-        [&](const Piece& near) { return IsTooNear(this->Widths, piece, near, work.Old); });
+      return std::any_of(work.NearFaces.begin(), work.NearFaces.end(),
+        [&](const PairFace& near) { return IsTooNear(this->Widths, face, near, work.OldFaces); });
     });
 }
 
@@ -219,14 +218,13 @@ std::shared_ptr<EditFilter::Pending> IntersectionGuard::MakePending()
 }
 
 //------------------------------------------------------------------------------
-/// The first worker builds it. No edit is applied before: every worker needs a Pending for its
-/// first one.
+/// The first worker builds it, before any edit: every worker needs a Pending for its first one.
 void IntersectionGuard::BuildGrid()
 {
-  const std::lock_guard<std::mutex> lock(this->Building);
+  const std::lock_guard<std::mutex> lock(this->BuildMutex);
   if (!this->Grid)
   {
-    this->Grid = std::make_unique<FaceGrid>(this->Mesh, this->MinCell);
+    this->Grid = std::make_unique<FaceGrid>(this->Mesh, this->MinCellSize);
   }
 }
 
@@ -247,7 +245,7 @@ Decision IntersectionGuard::Screen(
   {
     return Decision::Accept();
   }
-  // Corners alone tell most of what belongs to others, and soon.
+  // The cells of the corners alone are a quick test that finds most foreign cells.
   const auto isOwned = [&](const SurfaceChange::Face& face)
   {
     return std::all_of(face.Corners.begin(), face.Corners.end(),
@@ -258,7 +256,7 @@ Decision IntersectionGuard::Screen(
     return Decision::Defer();
   }
   work.KnowsCells = true;
-  this->FillPieces(mesh, change, work);
+  this->FillFaces(mesh, change, work);
   this->FindCells(work);
   return this->Grid->OwnsAll(change.Range, work.Cells) ? Decision::Accept() : Decision::Defer();
 }
@@ -270,11 +268,12 @@ Decision IntersectionGuard::Check(
   Pending& work = static_cast<Pending&>(pending);
   if (!work.KnowsCells)
   {
-    this->FillPieces(mesh, change, work);
+    this->FillFaces(mesh, change, work);
     this->FindCells(work);
   }
   this->FindNear(mesh, change, work);
-  if (MeetMore(work.Old, work.New, work.Near, this->Written) || this->NarrowsGap(work))
+  if (MeetMore(work.OldFaces, work.NewFaces, work.NearFaces, this->Written) ||
+    this->NarrowsGap(work))
   {
     return Rejection::Intersection;
   }
@@ -283,12 +282,12 @@ Decision IntersectionGuard::Check(
   {
     return Decision::Defer();
   }
-  const bool jumps = JumpOver(work.Old, work.New, work.Swept);
+  const bool jumps = JumpOver(work.OldFaces, work.NewFaces, work.SweptFaces);
   return jumps ? Rejection::Intersection : Rejection::NotRejected;
 }
 
 //------------------------------------------------------------------------------
-/// No duplicate is made, and none is like it.
+/// The new vertex has no duplicates.
 void IntersectionGuard::Adopt(VertexId made, VertexId like)
 {
   this->Widths.Copy(this->Mesh.OriginalVertex(like), made);
@@ -301,14 +300,15 @@ double IntersectionGuard::Reach(const EditFilter::Pending& pending) const
 }
 
 //------------------------------------------------------------------------------
-/// Duplicates have one gap. An edit at one of them changes that of faces at the others, which may
-/// reach far away from the edit.
+/// Duplicates of a vertex have one gap. An edit at one of them changes that of faces at the
+/// others, which may be far away.
 bool IntersectionGuard::StillAccepts(
   const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending) const
 {
   const Pending& work = static_cast<const Pending&>(pending);
-  return std::all_of(work.Near.begin(), work.Near.end(),
-    [&](const Piece& near) { return this->MinGapOf(mesh, change, near.Vertices) == near.MinGap; });
+  return std::all_of(work.NearFaces.begin(), work.NearFaces.end(),
+    [&](const PairFace& near)
+    { return this->MinGapOf(mesh, change, near.Vertices) == near.MinGap; });
 }
 
 //------------------------------------------------------------------------------
@@ -320,9 +320,9 @@ void IntersectionGuard::Commit(
   for (std::size_t i = 0; i < change.OldFaces.size(); ++i)
   {
     work.Cells.assign(work.OldCells.begin() + static_cast<std::ptrdiff_t>(from),
-      work.OldCells.begin() + static_cast<std::ptrdiff_t>(work.EndsOfOld[i]));
+      work.OldCells.begin() + static_cast<std::ptrdiff_t>(work.OldCellEnds[i]));
     this->Grid->Remove(change.OldFaces[i], work.Cells);
-    from = work.EndsOfOld[i];
+    from = work.OldCellEnds[i];
   }
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
@@ -330,11 +330,11 @@ void IntersectionGuard::Commit(
     this->Grid->AddCells(face.Corners, 0.0, work.Cells);
     this->Grid->Insert(face.Id, face.Vertices, face.Corners, work.Cells);
   }
-  if (change.Moved != None)
+  if (change.MovedVertex != None)
   {
-    this->Widths.Set(mesh.OriginalVertex(change.Moved),
-      this->Widths.Of(mesh.OriginalVertex(change.Ends[0]))
-        .And(this->Widths.Of(mesh.OriginalVertex(change.Ends[1]))));
+    this->Widths.Set(mesh.OriginalVertex(change.MovedVertex),
+      Min(this->Widths.Of(mesh.OriginalVertex(change.Ends[0])),
+        this->Widths.Of(mesh.OriginalVertex(change.Ends[1]))));
   }
 }
 }

@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file IntersectionGuard.h
- * @brief No edit lets triangles meet that did not meet before, nor narrows a gap to less than half
- * of what it was.
+ * @brief No edit makes triangles intersect that did not intersect before, nor narrows a gap to less
+ * than half of its initial width.
  *
- *     near    = faces of the current mesh near the new ones                              (FaceGrid)
- *     meet:     pairs of a new face with one that is near, or of two new ones, that meet    (Piece)
- *               rejected if there are more of them than of pairs with the faces that go
- *     gap:      a pair that faces each other, or of two fragments, and has no corner in common
- *               rejected if it is nearer than half the initial gap at its corners         (GapRule)
- *               and nearer than the faces that go were
- *     jump:     rejected if a corner of what is left lies between the faces that go and the new
- *               ones                                                                      (Piece)
+ *     near    = faces of the current mesh near the new ones                            (FaceGrid)
+ *     meet:     pairs of a new face with a near one, or of two new ones, that intersect
+ *               rejected if there are more than with the old faces                     (PairFace)
+ *     gap:      a pair that faces each other, or of two fragments, without a common corner
+ *               rejected if it is nearer than half the initial gap at its corners
+ *               and nearer than the old faces were                                     (GapRule)
+ *     jump:     rejected if a corner of a remaining face lies between the old and the
+ *               new faces                                                              (PairFace)
  *
- * The edits of a draft are checked together, in the mesh that is left (StateCheck.h).
+ * The edits of a draft are checked together, in the mesh that they leave (StateCheck.h).
  */
 #ifndef BoneDecimate_Core_Proof_Guard_IntersectionGuard_h
 #define BoneDecimate_Core_Proof_Guard_IntersectionGuard_h
 
 #include "FaceGrid.h"
 #include "GapRule.h"
-#include "Piece.h"
+#include "PairFace.h"
 #include "Proof/EditFilters/EditJournal.h"
 #include "StateCheck.h"
 
@@ -34,11 +34,10 @@ namespace bonedecimate
 class IntersectionGuard : public EditFilter
 {
 public:
-  /// @param mesh Must outlive this object; its faces are sorted into the grid before the first
-  ///   edit.
-  /// @param surface The surface from which the mesh was made, its manifold patches joined.
-  /// @param error mm, how far the surface may move.
-  /// @param written Whether triangles meet is decided where they will be written.
+  /// @param mesh Must outlive this object.
+  /// @param surface The surface from which the mesh was made, with its manifold patches joined.
+  /// @param error mm, by which the surface may move.
+  /// @param written Intersections are decided at these positions.
   /// @param guardsGaps Whether gaps are measured; otherwise only intersections are rejected.
   IntersectionGuard(const HalfEdgeMesh& mesh, const Surface& surface,
     const WrittenPositions& written, double error, bool guardsGaps, int threads,
@@ -59,42 +58,42 @@ public:
   void Commit(const HalfEdgeMesh& mesh, const SurfaceChange& change, EditFilter::Pending& pending,
     Tally& tally) override;
 
-  /// The check of a draft, made before its first edit. Guard and journal must outlive the check.
-  StateCheck CheckOf(const EditJournal& journal) const
+  /// The check of a draft; to be made before its first edit. Guard and journal must outlive it.
+  StateCheck MakeStateCheck(const EditJournal& journal) const
   {
     return { this->Mesh, this->Widths, this->Written, journal };
   }
-  /// Continues with the mesh that the edits of the draft left.
+  /// Continues with the mesh that the edits of a draft left.
   void TakeDraft(const EditJournal& journal);
 
 private:
   struct Pending : public EditFilter::Pending
   {
-    std::vector<FaceGrid::Key> OldCells, Cells;
-    std::vector<std::size_t> EndsOfOld; // in OldCells, of each removed face
-    std::vector<Index> Faces;
-    std::vector<Piece> Old, New, Near, Swept;
-    double Reach = 0.0;      // mm, of the gap rule around these
-    bool KnowsCells = false; // of this edit
+    std::vector<FaceGrid::CellKey> OldCells, Cells;
+    std::vector<std::size_t> OldCellEnds; // of each old face, the end of its cells
+    std::vector<Index> FaceIds;
+    std::vector<PairFace> OldFaces, NewFaces, NearFaces, SweptFaces;
+    double Reach = 0.0;      // mm, within which near faces were searched
+    bool KnowsCells = false; // whether Screen has found the cells
   };
   void BuildGrid();
   Gap MinGapOf(
     const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& originals) const;
-  Piece PieceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change, const Triangle& vertices,
-    const TriangleCorners& corners) const;
-  void FillPieces(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;
+  PairFace PairFaceOf(const HalfEdgeMesh& mesh, const SurfaceChange& change,
+    const Triangle& vertices, const TriangleCorners& corners) const;
+  void FillFaces(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;
   void FindCells(Pending& work) const;
   void FindNear(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;
   void FindSwept(const HalfEdgeMesh& mesh, const SurfaceChange& change, Pending& work) const;
   void AddCellsOfCone(
-    const TriangleCorners& base, const Vector3& apex, std::vector<FaceGrid::Key>& cells) const;
+    const TriangleCorners& base, const Vector3& apex, std::vector<FaceGrid::CellKey>& cells) const;
   bool NarrowsGap(const Pending& work) const;
 
   const HalfEdgeMesh& Mesh;
   WrittenPositions Written;
-  double MinCell; // mm, of the grid
+  double MinCellSize; // mm, of the grid
   std::unique_ptr<FaceGrid> Grid;
-  std::mutex Building; // of the grid
+  std::mutex BuildMutex; // of the grid
   GapRule Widths;
 };
 }

@@ -16,13 +16,13 @@ namespace bonedecimate
 {
 namespace
 {
-/// Ranges of triangles that are not longer are looked at together, however far apart these are.
-constexpr Index Few = 4;
-/// Triangles that are looked at around one; if there are more, the distance is only known to be
-/// that of the farthest of these at least.
+/// Ranges up to this length are tested together, however far apart their triangles are.
+constexpr Index MaxJointRange = 4;
+/// Triangles that are searched around one. If there are more, the distance of the farthest of these
+/// is used as a lower bound.
 constexpr std::ptrdiff_t MaxNear = 500;
 
-/// Triangles that are added one after the other: whether they are a disk.
+/// A set of triangles that grows one by one, and whether it is a disk.
 class GrowingPatch
 {
 public:
@@ -93,14 +93,14 @@ private:
 };
 
 /// A triangle by its box.
-struct Boxed
+struct BoxedFace
 {
   FloatBox Box;
   FaceId Face;
 };
 
-/// mm, between two triangles along the normal of the first, or 0. Any direction of length 1 would
-/// do.
+/// mm, between two triangles along the normal of the first; at least 0. A lower bound of the
+/// distance, as along any direction.
 double GapAlongNormal(const TriangleCorners& a, const TriangleCorners& b)
 {
   const Vector3 normal = (a[1] - a[0]).cross(a[2] - a[0]).normalized();
@@ -114,7 +114,7 @@ double GapAlongNormal(const TriangleCorners& a, const TriangleCorners& b)
   return std::max({ 0.0, ofB.first - ofA.second, ofA.first - ofB.second });
 }
 
-/// The triangles of a mesh in a tree.
+/// Finds near triangles of a mesh.
 class NearTriangles
 {
 public:
@@ -125,10 +125,10 @@ public:
   {
   }
 
-  /// Measures those of a range whose separation is below the limit. Ranges are halved until they
-  /// are one disk with what is near.
-  /// @param near What may be near; null: anything.
-  void Measure(Index first, Index last, const std::vector<Boxed>* near, GrowingPatch& patch,
+  /// Measures the triangles of a range whose separation is below the limit. Halves a range until it
+  /// is one disk with its near triangles.
+  /// @param near All triangles that may be near. Null: any triangle may be.
+  void Measure(Index first, Index last, const std::vector<BoxedFace>* near, GrowingPatch& patch,
     std::vector<double>& distances) const
   {
     FloatBox box;
@@ -136,12 +136,12 @@ public:
     {
       box.Add(this->Tree.Box(static_cast<std::size_t>(face)));
     }
-    std::vector<Boxed> own;
-    if (near != nullptr || last - first <= Few || box.Diagonal() <= this->Limit)
+    std::vector<BoxedFace> own;
+    if (near != nullptr || last - first <= MaxJointRange || box.Diagonal() <= this->Limit)
     {
       patch.Clear();
       this->Gather(box, near,
-        [&](const Boxed& one)
+        [&](const BoxedFace& one)
         {
           own.push_back(one);
           patch.Add(one.Face);
@@ -194,10 +194,10 @@ private:
 
   /// Calls take(boxed) for each triangle whose box is nearer than the limit.
   template <typename Take>
-  void Gather(const FloatBox& box, const std::vector<Boxed>* near, const Take& take) const
+  void Gather(const FloatBox& box, const std::vector<BoxedFace>* near, const Take& take) const
   {
     const FloatBox grown = box.Grown(this->Limit);
-    const auto look = [&](const Boxed& one)
+    const auto look = [&](const BoxedFace& one)
     {
       if (one.Box.Meets(grown) && one.Box.DistanceTo(box) < this->Limit)
       {
@@ -219,12 +219,12 @@ private:
 
   /// Adds near triangles to the patch by distance, while they may form a disk.
   /// @return Distance of the first triangle beyond the last disk, mm.
-  double DistanceFrom(FaceId face, const std::vector<Boxed>& near, GrowingPatch& patch) const
+  double DistanceFrom(FaceId face, const std::vector<BoxedFace>& near, GrowingPatch& patch) const
   {
     double limit = this->Limit; // mm
     patch.Clear();
     double distance = 0.0; // mm
-    const std::vector<Neighbor> neighbors = this->Sorted(face, near, limit);
+    const std::vector<Neighbor> neighbors = this->NearestFirst(face, near, limit);
     for (std::size_t i = 0; i < neighbors.size() && neighbors[i].Distance < limit; ++i)
     {
       patch.Add(neighbors[i].Face);
@@ -237,13 +237,14 @@ private:
   }
 
   /// The nearest triangles.
-  /// @param limit mm; not greater than the distance of those that are left out.
-  std::vector<Neighbor> Sorted(FaceId face, const std::vector<Boxed>& near, double& limit) const
+  /// @param limit mm; lowered to the distance of the triangles that are left out.
+  std::vector<Neighbor> NearestFirst(
+    FaceId face, const std::vector<BoxedFace>& near, double& limit) const
   {
     const FloatBox& box = this->Tree.Box(static_cast<std::size_t>(face));
     std::vector<Neighbor> neighbors(near.size());
     std::transform(near.begin(), near.end(), neighbors.begin(),
-      [&](const Boxed& one) {
+      [&](const BoxedFace& one) {
         return Neighbor{ box.DistanceTo(one.Box), one.Face };
       });
     if (neighbors.size() > static_cast<std::size_t>(MaxNear))
@@ -270,7 +271,7 @@ private:
 };
 }
 
-std::vector<double> Separations(const HalfEdgeMesh& mesh, double limit, int threads)
+std::vector<double> FindSeparations(const HalfEdgeMesh& mesh, double limit, int threads)
 {
   const NearTriangles triangles(mesh, limit, threads);
   std::vector<double> ofFaces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), Infinity);

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Separation.h
- * @brief How near a surface comes to itself: at each triangle the distance within which it is one
+ * @brief How near a surface comes to itself: at each triangle, the distance within which it is one
  * disk.
  *
  *     disk:        triangles connected across edges, with Euler characteristic 1
- *     separation:  the triangles nearer than it belong to one disk; 0 at triangles that intersect
- *                  others
+ *     separation:  the triangles nearer than this belong to one disk; 0 at triangles that
+ *                  intersect others
  *
- * What lies beyond is another part of the surface: the other side of a thin plate or strut, or
- * another fragment. Documentation/explanation/error-bound.md has what follows from it.
+ * Beyond it lies another part of the surface: the other side of a thin plate or strut, or another
+ * fragment. Documentation/error-bound.md has the consequences.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_Separation_h
 #define BoneDecimate_Core_Proof_Guard_Separation_h
@@ -21,8 +21,9 @@
 
 namespace bonedecimate
 {
-/// mm, of each vertex the least of its triangles; infinite where it is not less than the limit.
-std::vector<double> Separations(const HalfEdgeMesh& mesh, double limit, int threads);
+/// mm, for each vertex the least separation of its triangles; infinite if it is not below the
+/// limit.
+std::vector<double> FindSeparations(const HalfEdgeMesh& mesh, double limit, int threads);
 }
 
 #endif

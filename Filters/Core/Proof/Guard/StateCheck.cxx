@@ -12,26 +12,26 @@ namespace bonedecimate
 {
 namespace
 {
-/// Back from a pair of faces to one of the mesh at first.
+/// Steps back from a pair of faces to one of the initial mesh.
 constexpr int MaxSteps = 1000;
 }
 
 StateCheck::StateCheck(const HalfEdgeMesh& mesh, const GapRule& widths,
   const WrittenPositions& written, const EditJournal& journal)
   : Mesh(mesh)
-  , WidthsAtFirst(widths)
+  , InitialWidths(widths)
   , Written(written)
   , Journal(journal)
   , Widths(widths)
-  , Looked(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
+  , CheckedEdits(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), None)
 {
 }
 
 //------------------------------------------------------------------------------
-std::vector<Index> StateCheck::FindRejected(int threads)
+std::vector<Index> StateCheck::FindEditsToUndo(int threads)
 {
   const std::vector<FaceId> changed = this->TakeChanged(threads);
-  this->Widths = this->WidthsAtFirst;
+  this->Widths = this->InitialWidths;
   MergeGaps(this->Journal, this->Mesh, this->Widths);
   std::vector<std::vector<Index>> edits(NumberOfChunks(changed.size()));
   ForEachChunk(changed.size(), threads, {},
@@ -39,7 +39,7 @@ std::vector<Index> StateCheck::FindRejected(int threads)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        this->Look(changed[i], edits[chunk]);
+        this->FindBadPairs(changed[i], edits[chunk]);
       }
     });
   std::vector<Index> all;
@@ -57,7 +57,7 @@ std::vector<FaceId> StateCheck::TakeChanged(int threads)
   const auto boxOf = [this](FaceId face) { return FloatBox(PositionsOf(this->Mesh, face)); };
   if (!this->Tree)
   {
-    std::vector<FloatBox> boxes(this->Looked.size());
+    std::vector<FloatBox> boxes(this->CheckedEdits.size());
     ForEachId(boxes.size(), threads,
       [&](std::size_t i)
       {
@@ -67,11 +67,11 @@ std::vector<FaceId> StateCheck::TakeChanged(int threads)
     this->Tree.emplace(std::move(boxes), threads);
   }
   std::vector<FaceId> changed;
-  for (std::size_t i = 0; i < this->Looked.size(); ++i)
+  for (std::size_t i = 0; i < this->CheckedEdits.size(); ++i)
   {
     const FaceId face = static_cast<Index>(i);
-    const Index edit = this->Journal.LastOfFace(face);
-    if (std::exchange(this->Looked[i], edit) != edit)
+    const Index edit = this->Journal.LastEditOf(face);
+    if (std::exchange(this->CheckedEdits[i], edit) != edit)
     {
       const bool isThere = this->Mesh.IsAlive(face);
       this->Tree->Set(i, isThere ? boxOf(face) : FloatBox());
@@ -86,9 +86,9 @@ std::vector<FaceId> StateCheck::TakeChanged(int threads)
 
 //------------------------------------------------------------------------------
 /// Adds the later edit of each bad pair of this face.
-void StateCheck::Look(FaceId face, std::vector<Index>& edits) const
+void StateCheck::FindBadPairs(FaceId face, std::vector<Index>& edits) const
 {
-  Piece piece = this->PieceOf(face);
+  PairFace piece = this->PairFaceOf(face);
   const double reach = std::max(piece.Reach, this->Written.Rounding());
   const bool isChanged = this->Journal.IsChanged(face);
   this->Tree->VisitMeeting(FloatBox(piece.Corners, reach),
@@ -97,51 +97,52 @@ void StateCheck::Look(FaceId face, std::vector<Index>& edits) const
       const FaceId other = static_cast<Index>(i);
       if (other != face && (isChanged || this->Journal.IsChanged(other)))
       {
-        Piece near = this->PieceOf(other);
+        PairFace near = this->PairFaceOf(other);
         if (this->IsBad(face, piece, other, near))
         {
           edits.push_back(
-            std::max(this->Journal.LastOfFace(face), this->Journal.LastOfFace(other)));
+            std::max(this->Journal.LastEditOf(face), this->Journal.LastEditOf(other)));
         }
       }
     });
 }
 
 //------------------------------------------------------------------------------
-bool StateCheck::IsBad(FaceId face, Piece& piece, FaceId other, Piece& near) const
+bool StateCheck::IsBad(FaceId face, PairFace& piece, FaceId other, PairFace& near) const
 {
   if (Meet(piece, near, this->Written))
   {
     return true;
   }
-  int left = MaxSteps;
+  int stepsLeft = MaxSteps;
   return IsTooNear(this->Widths, piece, near, {}) &&
-    !this->WasAsNear(this->VersionOf(face), this->VersionOf(other), left);
+    !this->WasAsNear(this->VersionOf(face), this->VersionOf(other), stepsLeft);
 }
 
 //------------------------------------------------------------------------------
-/// Whether the pair goes back to one of the mesh at first that was as near, over pairs that were as
-/// near: from each edit to a face that it replaced. So no edit has made such a gap narrower than it
-/// was, which is the rule of single edits.
-bool StateCheck::WasAsNear(const FaceVersion& one, const FaceVersion& other, int& left) const
+/// Whether the pair goes back, from each edit to a face that it replaced, over pairs that were as
+/// near to one of the initial mesh that was. Then no edit has narrowed the gap, which is the rule
+/// for single edits.
+bool StateCheck::WasAsNear(const FaceVersion& one, const FaceVersion& other, int& stepsLeft) const
 {
-  const bool isOneLater = one.Made > other.Made;
+  const bool isOneLater = one.MadeBy > other.MadeBy;
   const FaceVersion& later = isOneLater ? one : other;
   const FaceVersion& near = isOneLater ? other : one;
-  if (later.Made == None)
+  if (later.MadeBy == None)
   {
     return true;
   }
-  const Piece nearPiece = this->PieceOf(near);
+  const PairFace nearPiece = this->PairFaceOf(near);
   // mm^2
-  const double now = WayBetween(this->Journal.CornersOf(later), nearPiece.Corners).SquaredLength;
-  for (Index i = 0; i < this->Journal.Entry(later.Made).NumberOfFaces && --left > 0; ++i)
+  const double now =
+    ShortestConnection(this->Journal.CornersOf(later), nearPiece.Corners).SquaredLength;
+  for (Index i = 0; i < this->Journal.Entry(later.MadeBy).NumberOfFaces && --stepsLeft > 0; ++i)
   {
-    const FaceVersion& old = this->Journal.OldFace(later.Made, i);
-    const Piece oldPiece = this->PieceOf(old);
-    if (CountShared(oldPiece, nearPiece) == 0 &&
-      WayBetween(oldPiece.Corners, nearPiece.Corners).SquaredLength <= now &&
-      this->WasAsNear(old, near, left))
+    const FaceVersion& old = this->Journal.OldFace(later.MadeBy, i);
+    const PairFace oldPiece = this->PairFaceOf(old);
+    if (CountCommon(oldPiece.Vertices, nearPiece.Vertices) == 0 &&
+      ShortestConnection(oldPiece.Corners, nearPiece.Corners).SquaredLength <= now &&
+      this->WasAsNear(old, near, stepsLeft))
     {
       return true;
     }
@@ -150,17 +151,17 @@ bool StateCheck::WasAsNear(const FaceVersion& one, const FaceVersion& other, int
 }
 
 //------------------------------------------------------------------------------
-/// With the least gap of its corners.
-Piece StateCheck::PieceOf(FaceId face) const
+/// The face with the least gap of its corners.
+PairFace StateCheck::PairFaceOf(FaceId face) const
 {
-  Piece piece(this->Mesh, this->Mesh.Corners(face), PositionsOf(this->Mesh, face));
+  PairFace piece(this->Mesh, this->Mesh.Corners(face), PositionsOf(this->Mesh, face));
   piece.MinGap = this->Widths.MinOf(piece.Vertices);
   piece.Reach = ReachOf(piece.MinGap);
   return piece;
 }
 
 //------------------------------------------------------------------------------
-Piece StateCheck::PieceOf(const FaceVersion& face) const
+PairFace StateCheck::PairFaceOf(const FaceVersion& face) const
 {
   return { this->Mesh, this->Journal.VerticesOf(face), this->Journal.CornersOf(face) };
 }

@@ -50,7 +50,7 @@ bool IsolateFirst(TriangleCorners& corners, const Sides& sides)
       return side < 0;
     }
   }
-  return false; // all on one side or in the plane: not called
+  return false; // not called if all are on one side or in the plane
 }
 
 /// The axis along which the corners are projected to an area, and the sign of that; 0 if they lie
@@ -93,7 +93,8 @@ bool HasSeparatingEdge(
   return false;
 }
 
-/// In one plane. Convex sets are apart if and only if an edge of one of them separates them.
+/// For triangles in one plane. Convex polygons are disjoint if and only if an edge of one of them
+/// separates them.
 bool MeetInPlane(const TriangleCorners& a, const TriangleCorners& b)
 {
   const Projection ofA(a);
@@ -102,7 +103,7 @@ bool MeetInPlane(const TriangleCorners& a, const TriangleCorners& b)
     (!HasSeparatingEdge(a, b, ofA) && !HasSeparatingEdge(b, a, ofB));
 }
 
-/// The corners with the one of that number first.
+/// The corners, rotated so that this one is the first.
 TriangleCorners Turned(const TriangleCorners& corners, std::size_t first)
 {
   return { corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3] };
@@ -114,7 +115,7 @@ bool IsInAngle(const TriangleCorners& a, const Vector3& p, const Projection& pro
   return projection.Of(a[0], a[1], p) >= 0 && projection.Of(a[0], p, a[2]) >= 0;
 }
 
-/// In one plane, the first corner in common.
+/// For triangles in one plane whose first corners are the same.
 bool AnglesOverlap(const TriangleCorners& a, const TriangleCorners& b)
 {
   const Projection ofA(a);
@@ -134,8 +135,9 @@ TriangleCorners EdgesOf(const TriangleCorners& corners)
   return { corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2] };
 }
 
-/// Between segments from p along u and from q along v.
-Way WayBetweenSegments(const Vector3& p, const Vector3& u, const Vector3& q, const Vector3& v)
+/// The shortest connection of the segments from p along u and from q along v.
+Connection ShortestConnectionOfSegments(
+  const Vector3& p, const Vector3& u, const Vector3& q, const Vector3& v)
 {
   const Vector3 w = p - q;
   const double a = u.squaredNorm();
@@ -155,8 +157,8 @@ Way WayBetweenSegments(const Vector3& p, const Vector3& u, const Vector3& q, con
   return { way.squaredNorm(), way };
 }
 
-/// Two triangles in different planes, which reach both across the plane of the other, cover an
-/// interval each of the line in which their planes meet (P. Guigue, O. Devillers, Fast and robust
+/// For triangles in different planes that both reach across the plane of the other: each covers an
+/// interval of the line in which the planes meet (P. Guigue, O. Devillers, Fast and robust
 /// triangle-triangle overlap test using orientation predicates, 2003).
 bool IntervalsOverlap(
   TriangleCorners p, const Sides& sidesA, TriangleCorners q, const Sides& sidesB)
@@ -195,6 +197,17 @@ bool AnyEdgePierces(const PlaneTriangle& a, const PlaneTriangle& b)
   }
   return false;
 }
+
+/// The number of the first corner that the other triangle has, or that it does not have.
+std::size_t FindCorner(const Triangle& ids, const Triangle& other, bool isCommon)
+{
+  std::size_t i = 0;
+  while (i < 2 && HasCorner(other, ids[i]) != isCommon)
+  {
+    ++i;
+  }
+  return i;
+}
 }
 
 bool HasArea(const TriangleCorners& corners)
@@ -224,7 +237,7 @@ bool Meet(const PlaneTriangle& a, const PlaneTriangle& b)
 }
 
 //------------------------------------------------------------------------------
-/// One of them meets the side of the other that lies opposite of the common corner.
+/// They intersect if one meets the side of the other that is opposite to the common corner.
 bool MeetBeyondCorner(
   const PlaneTriangle& a, std::size_t cornerOfA, const PlaneTriangle& b, std::size_t cornerOfB)
 {
@@ -247,7 +260,7 @@ bool MeetBeyondCorner(
     // One of them without area has no plane: in doubt it meets.
     return isFlatP != isFlatQ || AnglesOverlap(p, q);
   }
-  // How the line through the side of one passes the three sides of the other.
+  // Orientations of the line through the side of one to the three sides of the other.
   const int across = Orientation(q[1], q[2], p[1], p[2]);
   return GoesThrough(sidesP[0], across, -sidesP[1]) || GoesThrough(sidesQ[0], across, -sidesQ[1]);
 }
@@ -262,6 +275,32 @@ bool MeetBeyondEdge(const PlaneTriangle& a, std::size_t thirdOfA, const Vector3&
   const TriangleCorners p = Turned(a.Corners, thirdOfA);
   const Projection projection(p);
   return projection.Sign == 0 || projection.Of(p[1], p[2], thirdOfB) >= 0;
+}
+
+//------------------------------------------------------------------------------
+int CountCommon(const Triangle& a, const Triangle& b)
+{
+  return static_cast<int>(
+    std::count_if(a.begin(), a.end(), [&b](Index id) { return HasCorner(b, id); }));
+}
+
+//------------------------------------------------------------------------------
+bool Meet(
+  const PlaneTriangle& a, const Triangle& idsOfA, const PlaneTriangle& b, const Triangle& idsOfB)
+{
+  switch (CountCommon(idsOfA, idsOfB))
+  {
+    case 0:
+      return Meet(a, b);
+    case 1:
+      return MeetBeyondCorner(
+        a, FindCorner(idsOfA, idsOfB, true), b, FindCorner(idsOfB, idsOfA, true));
+    case 2:
+      return MeetBeyondEdge(
+        a, FindCorner(idsOfA, idsOfB, false), b.Corners[FindCorner(idsOfB, idsOfA, false)]);
+    default:
+      return true;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -291,15 +330,15 @@ RayResult ShootRay(const Vector3& p, const Vector3& farPoint, const PlaneTriangl
 }
 
 //------------------------------------------------------------------------------
-Way WayBetween(const TriangleCorners& a, const TriangleCorners& b)
+Connection ShortestConnection(const TriangleCorners& a, const TriangleCorners& b)
 {
   const TriangleFrame frameA(a[0], a[1], a[2]);
   const TriangleFrame frameB(b[0], b[1], b[2]);
   const TriangleCorners edgesA = EdgesOf(a);
   const TriangleCorners edgesB = EdgesOf(b);
-  Way least;
+  Connection least;
   least.SquaredLength = std::numeric_limits<double>::infinity();
-  const auto take = [&least](const Way& way)
+  const auto take = [&least](const Connection& way)
   { least = way.SquaredLength < least.SquaredLength ? way : least; };
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -309,7 +348,7 @@ Way WayBetween(const TriangleCorners& a, const TriangleCorners& b)
     take({ toB.squaredNorm(), toB });
     for (std::size_t j = 0; j < 3; ++j)
     {
-      take(WayBetweenSegments(a[i], edgesA[i], b[j], edgesB[j]));
+      take(ShortestConnectionOfSegments(a[i], edgesA[i], b[j], edgesB[j]));
     }
   }
   return least;

@@ -4,7 +4,7 @@
  * @file TrianglePair.h
  * @brief Whether two triangles intersect, decided exactly, and how far apart they are.
  *
- *     no common corner:     they intersect if they have a point in common: also if they only touch
+ *     no common corner:     they intersect if they have a point in common, even if they only touch
  *     one common corner:    if they have another point in common
  *     one common edge:      if they lie in one plane on the same side of the edge
  *
@@ -40,19 +40,33 @@ struct PlaneTriangle
   OrientedPlane Plane;
 };
 
-/// Whether the corners do not lie on a line, exactly.
+/// Whether the corners do not lie exactly on a line.
 bool HasArea(const TriangleCorners& corners);
 
-/// No corner is shared.
+/// For triangles without a common corner.
 bool Meet(const PlaneTriangle& a, const PlaneTriangle& b);
-/// One corner of each is the same; they are named by their numbers, 0 to 2.
+/// For triangles with one common corner, given by its number (0 to 2) in each.
 bool MeetBeyondCorner(
   const PlaneTriangle& a, std::size_t cornerOfA, const PlaneTriangle& b, std::size_t cornerOfB);
-/// Both have an edge in common, and each a third corner beside it, that of a named by its number.
+/// For triangles with a common edge, given by their third corners; that of a by its number.
 bool MeetBeyondEdge(const PlaneTriangle& a, std::size_t thirdOfA, const Vector3& thirdOfB);
 
-/// Whether the inside of an edge of one goes through the inside of the other, so that a small
-/// motion does not part them.
+/// Whether a triangle of ids has this one.
+inline bool HasCorner(const Triangle& ids, Index id)
+{
+  return ids[0] == id || ids[1] == id || ids[2] == id;
+}
+
+/// How many ids of a are ids of b.
+int CountCommon(const Triangle& a, const Triangle& b);
+
+/// Whether two triangles intersect, given the ids of their corners. Triangles of the same corners
+/// do.
+bool Meet(
+  const PlaneTriangle& a, const Triangle& idsOfA, const PlaneTriangle& b, const Triangle& idsOfB);
+
+/// Whether an edge of one passes through the interior of the other, so that a small motion does not
+/// part them.
 bool Pierce(const PlaneTriangle& a, const PlaneTriangle& b);
 
 enum class RayResult
@@ -61,18 +75,18 @@ enum class RayResult
   Hits,
   Unclear
 };
-/// Whether the segment from p to a point far away goes through the triangle; unclear where it
-/// passes exactly through an edge or begins on the triangle.
+/// Whether the segment from p to a distant point passes through the triangle. Unclear if it passes
+/// exactly through an edge or begins on the triangle.
 RayResult ShootRay(const Vector3& p, const Vector3& farPoint, const PlaneTriangle& triangle);
 
-/// The shortest way between two triangles.
-struct Way
+/// A segment between two triangles.
+struct Connection
 {
   double SquaredLength = 0.0;         // mm^2
   Vector3 FromAToB = Vector3::Zero(); // mm
 };
-/// The shortest way between triangles that do not meet.
-Way WayBetween(const TriangleCorners& a, const TriangleCorners& b);
+/// For triangles that do not meet.
+Connection ShortestConnection(const TriangleCorners& a, const TriangleCorners& b);
 }
 
 #endif

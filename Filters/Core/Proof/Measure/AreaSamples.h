@@ -4,9 +4,10 @@
  * @file AreaSamples.h
  * @brief Points spread evenly over the area of triangles, the same in every run.
  *
- * Sample i lies in the triangle at (i + 1/2) / count of the running area, at the i-th position of a
- * sequence of low discrepancy. M. Roberts, The unreasonable effectiveness of quasirandom sequences,
- * 2018: the steps of the sequence.
+ * Sample i of n lies in the triangle at which the cumulative area reaches (i + 1/2) / n of the
+ * whole, at the i-th position of the R2 sequence.
+ *
+ * M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018: R2.
  */
 #ifndef BoneDecimate_Core_Proof_Measure_AreaSamples_h
 #define BoneDecimate_Core_Proof_Measure_AreaSamples_h
@@ -33,8 +34,8 @@ public:
   /// mm^2
   double Area() const { return this->Areas.empty() ? 0.0 : this->Areas.back(); }
 
-  /// Calls visit(sample, triangle, position) for samples first to last - 1;
-  /// neighbors are near each other.
+  /// Calls visit(sample, triangle, position) for the samples first to last - 1. Consecutive samples
+  /// are near each other.
   template <typename VisitSample>
   void Visit(std::size_t first, std::size_t last, const VisitSample& visit) const
   {

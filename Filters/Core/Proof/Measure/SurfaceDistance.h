@@ -2,13 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceDistance.h
- * @brief Measures the distance of one surface to another at its points and at samples spread evenly
- * over its area.
- *
- * Sample i of n lies in the triangle at which the cumulative area reaches (i + 1/2) / n of the
- * whole; its position in the triangle follows the R2 sequence. The same surfaces give the same
- * figures on every system.
- * M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018: R2.
+ * @brief Measures the distance of one surface to another at its points and at samples of its area
+ * (AreaSamples.h). The figures are the same on every system.
  */
 #ifndef BoneDecimate_Core_Proof_Measure_SurfaceDistance_h
 #define BoneDecimate_Core_Proof_Measure_SurfaceDistance_h
@@ -31,10 +26,9 @@ std::vector<double> PointDistances(
   const std::vector<Vector3>& points, const BoundingTree& to, int threads, const Monitor& monitor);
 
 /**
- * @param pointDistances mm, of the points that triangles of `from` use; their maximum,
- * second, mean and RMS are reported.
+ * @param pointDistances mm, of the points that triangles of `from` use.
  * @param samples Their number; every triangle of `from` must have valid corners.
- * @return The distances; Samples is 0 after an abort.
+ * @return The statistics; Samples is 0 after an abort.
  */
 DistanceStatistics MeasureDistance(const Surface& from, const std::vector<double>& pointDistances,
   const BoundingTree& to, std::int64_t samples, int threads, const Monitor& monitor);

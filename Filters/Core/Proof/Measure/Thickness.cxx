@@ -14,12 +14,12 @@ namespace bonedecimate
 namespace
 {
 
-/// Lines of one direction through a solid.
+/// Lengths of lines of one direction through a solid.
 class Crossings
 {
 public:
   Crossings(const SolidSurface& surface, Index solid, const Vector3& direction)
-    : Of(surface)
+    : Container(surface)
     , Solid(solid)
     , Direction(direction)
   {
@@ -30,7 +30,7 @@ public:
   double LengthFrom(const Vector3& from) const
   {
     double length = Infinity;
-    this->Of.Tree.VisitAlong(from, this->Direction, length,
+    this->Container.Tree.VisitAlong(from, this->Direction, length,
       [&](Index triangle)
       {
         if (this->Outwards(triangle) > 0.0)
@@ -46,7 +46,7 @@ public:
   {
     double squared = Infinity;
     Vector3 nearest = to;
-    this->Of.Tree.VisitNear(to, squared,
+    this->Container.Tree.VisitNear(to, squared,
       [&](Index triangle)
       {
         if (this->Outwards(triangle) < 0.0)
@@ -63,8 +63,8 @@ public:
 private:
   std::array<Vector3, 3> CornersOf(Index triangle) const
   {
-    const Triangle& c = this->Of.Surface.Triangles[triangle];
-    const std::vector<Vector3>& points = this->Of.Surface.Points;
+    const Triangle& c = this->Container.Surface.Triangles[triangle];
+    const std::vector<Vector3>& points = this->Container.Surface.Points;
     return { points[c[0]], points[c[1]], points[c[2]] };
   }
 
@@ -72,8 +72,8 @@ private:
   /// it does neither.
   double Outwards(Index triangle) const
   {
-    const PartSides sides =
-      this->Of.Sides != nullptr ? (*this->Of.Sides)[triangle] : PartSides{ this->Solid, None };
+    const PartSides sides = this->Container.Sides != nullptr ? (*this->Container.Sides)[triangle]
+                                                             : PartSides{ this->Solid, None };
     if (sides[0] != this->Solid && sides[1] != this->Solid)
     {
       return 0.0;
@@ -83,8 +83,8 @@ private:
     return sides[0] == this->Solid ? along : -along;
   }
 
-  /// mm along the direction; infinite if the line does not meet the triangle, which is a little
-  /// larger here so that no line passes between two of them.
+  /// mm along the direction; infinite if the line does not meet the triangle. The triangle is
+  /// enlarged a little so that no line passes between two of them.
   double DistanceTo(Index triangle, const Vector3& from) const
   {
     constexpr double beside = -1e-9;
@@ -100,12 +100,12 @@ private:
     return isHit ? distance : Infinity;
   }
 
-  const SolidSurface& Of;
+  const SolidSurface& Container;
   Index Solid;
   Vector3 Direction;
 };
 
-/// The value that this fraction of the values is below.
+/// The value below which this fraction of the values lies.
 double QuantileOf(std::vector<double>& values, double fraction)
 {
   const auto at = values.begin() + std::lround(fraction * static_cast<double>(values.size() - 1));
@@ -135,8 +135,8 @@ ThicknessChange CompareThickness(const SolidSurface& before, const SolidSurface&
           const Triangle& c = triangles[triangle];
           const Vector3 inwards =
             -AreaVector(points[c[0]], points[c[1]], points[c[2]]).normalized();
-          const Crossings ofInput(before, solid, inwards);
-          lengths[sample] = { ofInput.LengthFrom(ofInput.NearestEntry(position)),
+          const Crossings inInput(before, solid, inwards);
+          lengths[sample] = { inInput.LengthFrom(inInput.NearestEntry(position)),
             Crossings(after, solid, inwards).LengthFrom(position) };
         });
     });

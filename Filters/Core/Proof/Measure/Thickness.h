@@ -4,12 +4,12 @@
  * @file Thickness.h
  * @brief The thickness of a part before and after, along the same directions.
  *
- *     direction      from a sample of the result against the normal of its triangle, because the
- *                    normals of a staircase are far off
+ *     direction      from a sample of the result against the normal of its triangle; normals of
+ *                    the input are far off at the steps of a staircase
  *     after          from the sample to the first triangle through which the line leaves the part
  *     before         the same from the nearest point at which the line may enter the input
  *
- * Lines that do not leave one of the surfaces, through a boundary for example, are left out.
+ * Lines that do not leave one of the surfaces, for example through a boundary, are left out.
  */
 #ifndef BoneDecimate_Core_Proof_Measure_Thickness_h
 #define BoneDecimate_Core_Proof_Measure_Thickness_h
@@ -23,7 +23,7 @@
 
 namespace bonedecimate
 {
-/// A surface and what is on both sides of its triangles.
+/// A surface and the parts on both sides of its triangles.
 struct SolidSurface
 {
   const bonedecimate::Surface& Surface;
@@ -37,7 +37,7 @@ struct ThicknessChange
   ThicknessFigures Before, After;
 };
 
-/// @param triangles Triangles of the result: the surface of the part, normals out of it.
+/// @param triangles The surface of the part in the result, normals outward.
 /// @param solid The part, as in the sides.
 ThicknessChange CompareThickness(const SolidSurface& before, const SolidSurface& after,
   const std::vector<Triangle>& triangles, Index solid, std::size_t samples, int threads);

@@ -10,7 +10,7 @@ namespace bonedecimate
 {
 Original::Original(const CleanSurface& clean, bool recordDistances, const ReferenceMesh* reference)
   : Clean(clean)
-  , Continued(reference)
+  , ReferenceOfRun(reference)
   , MergedInto(clean.Surface.Points.size())
 {
   std::iota(this->MergedInto.begin(), this->MergedInto.end(), 0);
@@ -25,8 +25,8 @@ Original::Original(const CleanSurface& clean, bool recordDistances, const Refere
 const BoundingTree& Original::Tree(int threads, const std::function<void()>& afterStep) const
 {
   std::call_once(
-    this->TreeIsBuilt, [&] { this->Triangles.emplace(this->Clean.Surface, threads, afterStep); });
-  return *this->Triangles;
+    this->TreeIsBuilt, [&] { this->InputTree.emplace(this->Clean.Surface, threads, afterStep); });
+  return *this->InputTree;
 }
 
 //------------------------------------------------------------------------------
@@ -51,14 +51,14 @@ void Original::Merge(VertexId keep, VertexId gone, const Vector3& position)
   {
     double& error = this->Errors[static_cast<std::size_t>(keep)];
     error = std::max(error, this->Errors[static_cast<std::size_t>(gone)]);
-    this->LookUp(keep, position);
+    this->RecordDistance(keep, position);
   }
 }
 
 //------------------------------------------------------------------------------
 void Original::BeginSplits()
 {
-  this->AtSplits = this->CurrentVertices();
+  this->MergedBeforeSplits = this->CurrentVertices();
   std::iota(this->MergedInto.begin(), this->MergedInto.end(), 0);
 }
 
@@ -69,28 +69,28 @@ void Original::Make(VertexId made, VertexId start, VertexId end, const Vector3& 
   {
     this->Errors[made] = std::max(this->Errors[start], this->Errors[end]);
     this->Nearest[made] = this->Nearest[start];
-    this->LookUp(made, position);
+    this->RecordDistance(made, position);
   }
 }
 
 //------------------------------------------------------------------------------
 void Original::KeepUnsmoothed(const HalfEdgeMesh& mesh, const std::vector<Vector3>& positions)
 {
-  this->Unsmoothed = std::make_unique<HalfEdgeMesh>(mesh);
+  this->UnsmoothedCopy = std::make_unique<HalfEdgeMesh>(mesh);
   for (std::size_t v = 0; this->RecordsDistances() && v < positions.size(); ++v)
   {
-    this->LookUp(static_cast<Index>(v), positions[v]);
+    this->RecordDistance(static_cast<Index>(v), positions[v]);
   }
 }
 
 //------------------------------------------------------------------------------
 void Original::KeepInitial(const HalfEdgeMesh& mesh)
 {
-  this->Initial = std::make_unique<HalfEdgeMesh>(mesh);
+  this->InitialCopy = std::make_unique<HalfEdgeMesh>(mesh);
 }
 
 //------------------------------------------------------------------------------
-void Original::LookUp(VertexId vertex, const Vector3& position)
+void Original::RecordDistance(VertexId vertex, const Vector3& position)
 {
   if (!this->HasMoved(vertex, position))
   {
@@ -102,7 +102,7 @@ void Original::LookUp(VertexId vertex, const Vector3& position)
   const double distance = std::sqrt(nearest.Point.SquaredDistance);
   triangle = nearest.Triangle;
   error = std::max(error, distance);
-  this->Largest = std::max(this->Largest, distance);
+  this->MaxRecorded = std::max(this->MaxRecorded, distance);
 }
 
 //------------------------------------------------------------------------------
@@ -120,12 +120,12 @@ std::vector<Index> Original::CurrentVertices() const
     }
     current[v] = last;
   }
-  if (this->AtSplits.empty())
+  if (this->MergedBeforeSplits.empty())
   {
     return current;
   }
-  std::vector<Index> all(this->AtSplits.size());
-  std::transform(this->AtSplits.begin(), this->AtSplits.end(), all.begin(),
+  std::vector<Index> all(this->MergedBeforeSplits.size());
+  std::transform(this->MergedBeforeSplits.begin(), this->MergedBeforeSplits.end(), all.begin(),
     [&current](Index v) { return current[static_cast<std::size_t>(v)]; });
   return all;
 }
@@ -134,11 +134,11 @@ std::vector<Index> Original::CurrentVertices() const
 std::vector<Index> Original::CurrentOfInitial() const
 {
   std::vector<Index> current = this->CurrentVertices();
-  if (this->Continued == nullptr)
+  if (this->ReferenceOfRun == nullptr)
   {
     return current;
   }
-  std::vector<Index> ofReference = this->Continued->NearVertex;
+  std::vector<Index> ofReference = this->ReferenceOfRun->NearVertex;
   for (Index& vertex : ofReference)
   {
     vertex = current[vertex];

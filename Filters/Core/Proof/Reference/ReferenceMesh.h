@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ReferenceMesh.h
- * @brief The original of a run that continues an earlier one: the error bound refers to it, edits
- * start from the input.
+ * @brief The original of a run that continues an earlier one: edits start from the input, but the
+ * error bound refers to this mesh.
  *
- * Both meshes have ids of their own. Where they are related, walks start: only proofs say what is
- * near.
+ * Both meshes have ids of their own. The relations between them are only starts of walks: proofs
+ * decide what is near.
  */
 #ifndef BoneDecimate_Core_Proof_Reference_ReferenceMesh_h
 #define BoneDecimate_Core_Proof_Reference_ReferenceMesh_h
@@ -26,7 +26,7 @@ struct ReferenceMesh
   HalfEdgeMesh Mesh;
   CutEdges Cuts;
   BoundingTree Tree;
-  std::vector<Index> NearVertex; ///< For each vertex of this mesh, a vertex of the input near it.
+  std::vector<Index> NearVertex; ///< For each vertex a vertex of the input near it.
   /// For each vertex of the input, a triangle of this mesh near it.
   std::vector<Index> NearTriangle;
 };

@@ -14,15 +14,15 @@ namespace bonedecimate
 {
 namespace
 {
-/// Below this reduction a triangle gets three samples inside: with fewer than about eight samples a
-/// face is overfitted.
+/// Below this reduction a triangle gets three samples: faces with fewer than about eight samples
+/// are overfitted.
 constexpr Index ManyTriangles = 12;
-/// Fraction of the area of a triangle that its inner samples represent;
-/// its corners represent the rest.
+/// Fraction of the area of a triangle that its inner samples represent; its corners represent the
+/// rest.
 constexpr double AreaRatioOfOne = 0.75; // with the corners exact for quadratic functions
 constexpr double AreaRatioOfThree = 0.9;
-/// A sample farther than that many times the root mean square may be on the wrong side of a thin
-/// part.
+/// A sample farther away than this multiple of the root mean square may be on the wrong side of a
+/// thin part.
 constexpr double FarAway = 2.0;
 
 std::array<float, 3> Single(const Vector3& p)
@@ -39,36 +39,38 @@ double AreaOf(const HalfEdgeMesh& mesh, FaceId face)
 
 Samples::Samples(
   const HalfEdgeMesh& original, bool mayBeThree, std::vector<float> limits, double shapeWeight)
-  : Source(original)
+  : OriginalMesh(original)
   , Unit(original.Unit())
   , MayBeThree(mayBeThree)
   , Limits(std::move(limits))
-  , Firsts(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
+  , FirstSamples(static_cast<std::size_t>(original.NumberOfFaceSlots()), None)
 {
-  this->Measured.ShapeWeight = shapeWeight;
+  this->Means.ShapeWeight = shapeWeight;
   float largest = 0.0F;
   for (const float limit : this->Limits)
   {
     largest = std::isfinite(limit) ? std::max(largest, limit) : largest;
   }
-  // Not less than that limit in double precision.
-  this->Largest = std::nextafter(largest, std::numeric_limits<float>::infinity());
+  // Not below the limit in double precision.
+  this->MaxFiniteLimit = std::nextafter(largest, std::numeric_limits<float>::infinity());
 }
 
 //------------------------------------------------------------------------------
-/// Vertices come first, then the samples inside triangles: the centroid, or three points half way
-/// from it to the corners.
+/// Samples 0 to n - 1 are the vertices. Then follow those inside triangles: the centroid, or three
+/// points half way from it to the corners.
 Vector3 Samples::PositionOf(Index id) const
 {
-  if (id < this->Source.NumberOfVertexSlots())
+  if (id < this->OriginalMesh.NumberOfVertexSlots())
   {
-    return this->Source.Position(id);
+    return this->OriginalMesh.Position(id);
   }
-  const Triangle c = this->Source.Corners(this->TriangleOf(id));
-  const Vector3 middle =
-    (this->Source.Position(c[0]) + this->Source.Position(c[1]) + this->Source.Position(c[2])) / 3.0;
-  const Index which = (id - this->Source.NumberOfVertexSlots()) % this->PerFace;
-  return this->PerFace == 1 ? middle : Vector3(0.5 * (middle + this->Source.Position(c[which])));
+  const Triangle c = this->OriginalMesh.Corners(this->TriangleOf(id));
+  const Vector3 middle = (this->OriginalMesh.Position(c[0]) + this->OriginalMesh.Position(c[1]) +
+                           this->OriginalMesh.Position(c[2])) /
+    3.0;
+  const Index which = (id - this->OriginalMesh.NumberOfVertexSlots()) % this->PerFace;
+  return this->PerFace == 1 ? middle
+                            : Vector3(0.5 * (middle + this->OriginalMesh.Position(c[which])));
 }
 
 //------------------------------------------------------------------------------
@@ -79,29 +81,30 @@ float Samples::LimitOf(Index id) const
   {
     return std::numeric_limits<float>::infinity();
   }
-  if (id < this->Source.NumberOfVertexSlots())
+  if (id < this->OriginalMesh.NumberOfVertexSlots())
   {
     return this->Limits[id];
   }
-  const Triangle c = this->Source.Corners(this->TriangleOf(id));
-  const Index which = (id - this->Source.NumberOfVertexSlots()) % this->PerFace;
+  const Triangle c = this->OriginalMesh.Corners(this->TriangleOf(id));
+  const Index which = (id - this->OriginalMesh.NumberOfVertexSlots()) % this->PerFace;
   const float middle = (this->Limits[c[0]] + this->Limits[c[1]] + this->Limits[c[2]]) / 3.0F;
   return this->PerFace == 1 ? middle : 0.5F * (middle + this->Limits[c[which]]);
 }
 
 //------------------------------------------------------------------------------
-/// For each sample its area, squares of the unit.  @param all Receives the sum.
+/// The area that each sample represents, in squares of the unit.
+/// @param all Receives the sum.
 std::vector<float> Samples::Weights(double& all) const
 {
-  const Index vertices = this->Source.NumberOfVertexSlots();
+  const Index vertices = this->OriginalMesh.NumberOfVertexSlots();
   const double inside = this->PerFace == 1 ? AreaRatioOfOne : AreaRatioOfThree;
-  std::vector<float> weights(this->Faces.size(), 0.0F);
+  std::vector<float> weights(this->FacesOfSamples.size(), 0.0F);
   all = 0.0;
-  for (Index face = 0; face < this->Source.NumberOfFaceSlots(); ++face)
+  for (Index face = 0; face < this->OriginalMesh.NumberOfFaceSlots(); ++face)
   {
-    const double area = AreaOf(this->Source, face) / (this->Unit * this->Unit);
+    const double area = AreaOf(this->OriginalMesh, face) / (this->Unit * this->Unit);
     all += area;
-    for (const Index corner : this->Source.Corners(face))
+    for (const Index corner : this->OriginalMesh.Corners(face))
     {
       weights[corner] += static_cast<float>((1.0 - inside) / 3.0 * area);
     }
@@ -118,13 +121,13 @@ std::vector<float> Samples::Weights(double& all) const
 bool Samples::Distribute(
   const HalfEdgeMesh& mesh, const std::vector<Index>& current, int threads, const Monitor& monitor)
 {
-  const Index faces = this->Source.NumberOfFaceSlots();
+  const Index faces = this->OriginalMesh.NumberOfFaceSlots();
   this->PerFace = this->MayBeThree && faces / ManyTriangles < mesh.NumberOfFaces() ? 3 : 1;
   this->HasSameFaces = mesh.NumberOfFaceSlots() == faces;
-  this->Firsts.resize(static_cast<std::size_t>(std::max(faces, mesh.NumberOfFaceSlots())));
-  this->All.clear();
-  this->Faces.resize(current.size() + static_cast<std::size_t>(this->PerFace) * faces);
-  std::fill(this->Firsts.begin(), this->Firsts.end(), None);
+  this->FirstSamples.resize(static_cast<std::size_t>(std::max(faces, mesh.NumberOfFaceSlots())));
+  this->SampleList.clear();
+  this->FacesOfSamples.resize(current.size() + static_cast<std::size_t>(this->PerFace) * faces);
+  std::fill(this->FirstSamples.begin(), this->FirstSamples.end(), None);
   constexpr double foundAt = 0.8;
   return this->FindFaces(mesh, current, threads, PartOf(monitor, 0.0, foundAt)) &&
     this->SortByFace(mesh.NumberOfFaces(), threads, PartOf(monitor, foundAt, 1.0));
@@ -137,7 +140,7 @@ bool Samples::FindFaces(
 {
   constexpr double verticesAt = 0.4;
   constexpr double allAt = 0.9;
-  std::vector<float> distances(this->Faces.size()); // squared, units
+  std::vector<float> distances(this->FacesOfSamples.size()); // squared, units
   const double perSquare = 1.0 / (this->Unit * this->Unit);
   const auto forEach = [&](std::size_t begin, std::size_t end, double from, double to, auto work)
   {
@@ -153,25 +156,25 @@ bool Samples::FindFaces(
   const auto find = [&](Index id)
   {
     const PointOnMesh near = this->FindNear(mesh, current, id);
-    this->Faces[id] = near.Face;
+    this->FacesOfSamples[id] = near.Face;
     distances[id] = static_cast<float>(perSquare * near.Point.SquaredDistance);
   };
   if (!forEach(0, current.size(), 0.0, verticesAt, find) ||
-    !forEach(current.size(), this->Faces.size(), verticesAt, allAt, find))
+    !forEach(current.size(), this->FacesOfSamples.size(), verticesAt, allAt, find))
   {
     return false;
   }
   const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
-  this->Measured.Distance = this->Unit * std::sqrt(sum / static_cast<double>(distances.size()));
+  this->Means.Distance = this->Unit * std::sqrt(sum / static_cast<double>(distances.size()));
   const double far = FarAway * FarAway * sum / static_cast<double>(distances.size());
-  return forEach(0, this->Faces.size(), allAt, 1.0,
+  return forEach(0, this->FacesOfSamples.size(), allAt, 1.0,
     [&](Index id)
     {
       if (distances[id] > far)
       {
-        const PointOnMesh known = { this->Faces[id],
-          FrameOf(mesh, this->Faces[id]).Nearest(this->PositionOf(id)) };
-        this->Faces[id] = this->FindFar(mesh, current, id, known).Face;
+        const PointOnMesh known = { this->FacesOfSamples[id],
+          FrameOf(mesh, this->FacesOfSamples[id]).Nearest(this->PositionOf(id)) };
+        this->FacesOfSamples[id] = this->FindFar(mesh, current, id, known).Face;
       }
     });
 }
@@ -180,14 +183,14 @@ bool Samples::FindFaces(
 PointOnMesh Samples::FindNear(
   const HalfEdgeMesh& mesh, const CurrentVertices& current, Index id) const
 {
-  if (id < this->Source.NumberOfVertexSlots())
+  if (id < this->OriginalMesh.NumberOfVertexSlots())
   {
     return WalkFromVertex(mesh, this->PositionOf(id), current[id]);
   }
   const Index triangle = this->TriangleOf(id);
   const Index start = this->HasSameFaces && mesh.IsAlive(triangle)
     ? triangle
-    : this->Faces[this->Source.Corners(triangle)[0]];
+    : this->FacesOfSamples[this->OriginalMesh.Corners(triangle)[0]];
   return WalkFrom(mesh, this->PositionOf(id), start);
 }
 
@@ -204,29 +207,31 @@ PointOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& cu
     const PointOnMesh other = WalkFromVertex(mesh, p, current[v]);
     best = other.Point.SquaredDistance < best.Point.SquaredDistance ? other : best;
   };
-  if (id >= this->Source.NumberOfVertexSlots())
+  if (id >= this->OriginalMesh.NumberOfVertexSlots())
   {
-    const Triangle corners = this->Source.Corners(this->TriangleOf(id));
+    const Triangle corners = this->OriginalMesh.Corners(this->TriangleOf(id));
     tryFan(corners[1]);
     tryFan(corners[2]);
   }
-  else if (this->Source.Constraint(id) != VertexConstraint::NonManifold)
+  else if (this->OriginalMesh.Constraint(id) != VertexConstraint::NonManifold)
   {
-    this->Source.VisitEdges(id, [&](HalfEdgeId h) { tryFan(this->Source.Across(h, id)); });
+    this->OriginalMesh.VisitEdges(
+      id, [&](HalfEdgeId h) { tryFan(this->OriginalMesh.Across(h, id)); });
   }
   return best;
 }
 
 //------------------------------------------------------------------------------
-/// Stores the samples sorted by face.  @param faces Their number.
+/// Stores the samples sorted by face.
+/// @param faces Number of faces.
 bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
 {
-  for (const Index face : this->Faces)
+  for (const Index face : this->FacesOfSamples)
   {
-    this->Firsts[face] += this->Firsts[face] == None ? 2 : 1; // their number
+    this->FirstSamples[face] += this->FirstSamples[face] == None ? 2 : 1; // their number
   }
   Index end = 0;
-  for (Index& count : this->Firsts)
+  for (Index& count : this->FirstSamples)
   {
     if (count != None)
     {
@@ -234,35 +239,36 @@ bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
       count = end;
     }
   }
-  for (Index id = static_cast<Index>(this->Faces.size()); id-- > 0;)
+  for (Index id = static_cast<Index>(this->FacesOfSamples.size()); id-- > 0;)
   {
-    this->Faces[id] = --this->Firsts[this->Faces[id]]; // from here on the index of the sample
+    this->FacesOfSamples[id] =
+      --this->FirstSamples[this->FacesOfSamples[id]]; // becomes the index of the sample
   }
   double area = 0.0;
   const std::vector<float> weights = this->Weights(area);
-  this->Measured.FaceArea = area / faces;
-  this->All.resize(this->Faces.size());
-  const bool done = ForEachChunk(this->All.size(), threads, monitor,
+  this->Means.FaceArea = area / faces;
+  this->SampleList.resize(this->FacesOfSamples.size());
+  const bool done = ForEachChunk(this->SampleList.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       for (Index id = static_cast<Index>(first); id < static_cast<Index>(last); ++id)
       {
-        const Index at = this->Faces[id];
-        this->All[at] = { Single(this->PositionOf(id) / this->Unit), weights[id], this->LimitOf(id),
-          at + 1 };
+        const Index at = this->FacesOfSamples[id];
+        this->SampleList[at] = { Single(this->PositionOf(id) / this->Unit), weights[id],
+          this->LimitOf(id), at + 1 };
       }
     });
-  // The last of each list is the one before the next list begins.
-  for (const Index first : this->Firsts)
+  // Each list ends before the next one begins.
+  for (const Index first : this->FirstSamples)
   {
     if (first > 0)
     {
-      this->All[first - 1].Next = None;
+      this->SampleList[first - 1].Next = None;
     }
   }
-  if (!this->All.empty())
+  if (!this->SampleList.empty())
   {
-    this->All.back().Next = None;
+    this->SampleList.back().Next = None;
   }
   return done;
 }
@@ -270,31 +276,31 @@ bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
 //------------------------------------------------------------------------------
 bool Samples::Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor)
 {
-  const bool done = ForEachChunk(this->Firsts.size(), threads, monitor,
+  const bool done = ForEachChunk(this->FirstSamples.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       for (Index face = static_cast<Index>(first); face < static_cast<Index>(last); ++face)
       {
-        if (this->Firsts[face] == None)
+        if (this->FirstSamples[face] == None)
         {
           continue;
         }
         const TriangleFrame frame = FrameOf(mesh, face);
-        for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
+        for (Index s = this->FirstSamples[face]; s != None; s = this->SampleList[s].Next)
         {
-          const Vector3 p = this->SamplePosition(this->All[s]);
+          const Vector3 p = this->SamplePosition(this->SampleList[s]);
           const TriangleFrame::Point point = frame.Nearest(p);
           const bool stays = point.Clamped == 0 && frame.EdgesNearby(point) == 0;
-          this->Faces[s] = stays ? face : WalkOn(mesh, p, { face, point }).Face;
+          this->FacesOfSamples[s] = stays ? face : WalkOn(mesh, p, { face, point }).Face;
         }
       }
     });
   if (done)
   {
-    std::fill(this->Firsts.begin(), this->Firsts.end(), None);
+    std::fill(this->FirstSamples.begin(), this->FirstSamples.end(), None);
     for (Index s = this->Count(); s-- > 0;)
     {
-      this->Put(s, this->Faces[s]);
+      this->Put(s, this->FacesOfSamples[s]);
     }
   }
   return done;

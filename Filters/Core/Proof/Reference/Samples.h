@@ -9,10 +9,10 @@
  * a corner of its triangle was merged, and walks over neighboring faces while its distance
  * decreases:
  *
- *     Distribute     builds all lists after a collapse; samples that end far
- *                    away try the fans of other corners
+ *     Distribute     builds all lists after a collapse; samples that end far away
+ *                    also try the fans of other corners
  *     Settle         every sample walks on from its face
- *     Take, Put      an edit reassigns the samples of the faces it changed
+ *     Take, Put      an edit reassigns the samples of the faces that it changed
  */
 #ifndef BoneDecimate_Core_Proof_Reference_Samples_h
 #define BoneDecimate_Core_Proof_Reference_Samples_h
@@ -38,11 +38,11 @@ public:
     Index Next;   ///< In the list of its face.
   };
 
-  /// @param original The mesh before the first collapse; must outlive this.
+  /// @param original The mesh before the first collapse; must outlive this object.
   /// @param mayBeThree Take three samples in each triangle if many faces remain. False: always one,
   ///   which suffices where every edit is proved.
   /// @param limits mm, of each vertex: how far the result may be from it. Empty: infinite.
-  /// @param shapeWeight What Spread() says.
+  /// @param shapeWeight Averages::ShapeWeight.
   explicit Samples(const HalfEdgeMesh& original, bool mayBeThree = true,
     std::vector<float> limits = {}, double shapeWeight = 0.0);
 
@@ -52,41 +52,41 @@ public:
     const Monitor& monitor);
   bool Settle(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
-  Index First(FaceId face) const { return this->Firsts[face]; }
-  const Sample& operator[](Index sample) const { return this->All[sample]; }
+  Index First(FaceId face) const { return this->FirstSamples[face]; }
+  const Sample& operator[](Index sample) const { return this->SampleList[sample]; }
   /// mm from the local origin
   Vector3 SamplePosition(const Sample& sample) const
   {
     return { this->Unit * sample.Position[0], this->Unit * sample.Position[1],
       this->Unit * sample.Position[2] };
   }
-  /// Averages, after Distribute, and what shapes weigh against them.
-  struct Usual
+  /// Averages after Distribute, and the weight of shapes against them.
+  struct Averages
   {
     double Distance = 0.0;    ///< Root mean square over the samples, mm.
     double FaceArea = 0.0;    ///< Mean over the faces, squares of the unit.
     double ShapeWeight = 0.0; ///< Weight in SampledErrorCost.h; 0: distances alone count.
   };
-  const Usual& Spread() const { return this->Measured; }
+  const Averages& MeanValues() const { return this->Means; }
 
-  Index Count() const { return static_cast<Index>(this->All.size()); }
+  Index Count() const { return static_cast<Index>(this->SampleList.size()); }
 
-  /// Empties the list of the face and returns its first sample. The caller has to put each sample
+  /// Empties the list of a face and returns its first sample. The caller has to put each sample
   /// into a list again.
   Index Take(FaceId face)
   {
-    const Index first = this->Firsts[face];
-    this->Firsts[face] = None;
+    const Index first = this->FirstSamples[face];
+    this->FirstSamples[face] = None;
     return first;
   }
   void Put(Index sample, FaceId face)
   {
-    this->All[sample].Next = this->Firsts[face];
-    this->Firsts[face] = sample;
+    this->SampleList[sample].Next = this->FirstSamples[face];
+    this->FirstSamples[face] = sample;
   }
 
-  /// Gives the samples of these faces to others of them.
-  /// @param members Each sample with the position of its new face among them, Slot.
+  /// Redistributes the samples of these faces among them.
+  /// @param members Each sample with the position of its new face, Slot.
   template <typename Members>
   void HandOver(const std::vector<Index>& faces, const Members& members)
   {
@@ -103,21 +103,21 @@ public:
   template <typename Visit>
   void VisitFace(FaceId face, Visit visit) const
   {
-    for (Index s = this->Firsts[face]; s != None; s = this->All[s].Next)
+    for (Index s = this->FirstSamples[face]; s != None; s = this->SampleList[s].Next)
     {
-      visit(this->All[s]);
+      visit(this->SampleList[s]);
     }
   }
 
-  /// mm, of the finite limits; little more than 0 without any.
-  float MaxLimit() const { return this->Largest; }
+  /// mm, the largest finite limit; little more than 0 without any.
+  float MaxLimit() const { return this->MaxFiniteLimit; }
 
 private:
-  using CurrentVertices = std::vector<Index>; // of each original vertex
+  using CurrentVertices = std::vector<Index>; // for each original vertex
 
   Index TriangleOf(Index id) const
   {
-    return (id - this->Source.NumberOfVertexSlots()) / this->PerFace;
+    return (id - this->OriginalMesh.NumberOfVertexSlots()) / this->PerFace;
   }
   Vector3 PositionOf(Index id) const;
   float LimitOf(Index id) const;
@@ -129,17 +129,17 @@ private:
   bool SortByFace(Index faces, int threads, const Monitor& monitor);
   std::vector<float> Weights(double& all) const;
 
-  const HalfEdgeMesh& Source;
+  const HalfEdgeMesh& OriginalMesh;
   double Unit; // mm
-  Usual Measured;
+  Averages Means;
   bool MayBeThree;
   std::vector<float> Limits; // mm, of each vertex
-  float Largest;             // mm
-  bool HasSameFaces = true;  // whether ids of faces are those of original triangles
+  float MaxFiniteLimit;      // mm
+  bool HasSameFaces = true;  // whether faces have the ids of original triangles
   Index PerFace = 1;         // samples inside each original triangle
-  std::vector<Sample> All;
-  std::vector<Index> Faces;  // of each sample; valid only within Distribute and Settle
-  std::vector<Index> Firsts; // of each face
+  std::vector<Sample> SampleList;
+  std::vector<Index> FacesOfSamples; // of each sample; valid only within Distribute and Settle
+  std::vector<Index> FirstSamples;   // of each face
 };
 }
 

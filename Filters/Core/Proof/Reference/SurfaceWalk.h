@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceWalk.h
- * @brief Finds the face nearest to a point by walking over neighboring faces while the distance
- * decreases.
+ * @brief Finds a face near a point by walking over neighboring faces while the distance decreases.
  *
  *     the nearest point is inside the face:   stop
  *     on an edge:                             try the face across it
  *     on a corner:                            try all faces around it
  *
- * Finds a local minimum of the distance, which need not be the global one: the walk never leaves a
- * connected part.
+ * The result is a local minimum of the distance, which need not be the global one: the walk never
+ * leaves a connected part.
  */
 #ifndef BoneDecimate_Core_Proof_Reference_SurfaceWalk_h
 #define BoneDecimate_Core_Proof_Reference_SurfaceWalk_h

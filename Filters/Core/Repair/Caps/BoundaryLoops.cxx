@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryLoops.h"
 
+#include "Mesh/PointMerging.h"
+
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -12,28 +14,6 @@ namespace bonedecimate
 {
 namespace
 {
-/// For each point the first one of its coordinates.
-std::vector<Index> Representatives(const std::vector<Vector3>& points)
-{
-  std::vector<Index> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto less = [&points](Index a, Index b)
-  {
-    const Vector3& p = points[static_cast<std::size_t>(a)];
-    const Vector3& q = points[static_cast<std::size_t>(b)];
-    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
-  };
-  std::stable_sort(order.begin(), order.end(), less);
-  std::vector<Index> first(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool isEqual = i > 0 && !less(order[i - 1], order[i]);
-    first[static_cast<std::size_t>(order[i])] =
-      isEqual ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
-  }
-  return first;
-}
-
 /// The directed edges of the triangles.
 class EdgeMap
 {
@@ -41,7 +21,9 @@ public:
   explicit EdgeMap(const Surface& surface)
     : Corners(surface.Triangles.size(), Triangle{ None, None, None })
   {
-    const std::vector<Index> first = Representatives(surface.Points);
+    LargeArray<Index> first(surface.Points.size());
+    std::iota(first.begin(), first.end(), 0);
+    MergeEqualPoints(surface.Points, first);
     const auto count = static_cast<Index>(surface.Points.size());
     for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
     {
@@ -71,9 +53,8 @@ public:
       this->Edges.count(Key(to, from)) == 0;
   }
 
-  /// The boundary edge behind from-to of a triangle, around the point "to";
-  /// nothing at a non-manifold edge.
-  /// @param triangle Becomes that of the edge.
+  /// The end of the boundary edge that follows at the point `to`; nothing at a non-manifold edge.
+  /// @param triangle The triangle of the edge that ends at `to`; becomes that of the next edge.
   std::optional<Index> Next(Index to, std::size_t& triangle) const
   {
     for (std::size_t turns = 0; turns < this->Corners.size(); ++turns)

@@ -17,7 +17,7 @@ namespace bonedecimate
 {
 struct BoundaryLoop
 {
-  /// In the direction of triangles that fill it: against that of the surface's own.
+  /// In the direction of triangles that would fill it, against that of the surface.
   std::vector<Index> Points;
   std::size_t Triangle = 0;       ///< One that has an edge of the loop.
   Vector3 Area = Vector3::Zero(); ///< mm^2, twice the vector area.
@@ -27,10 +27,10 @@ using PointPair = std::pair<Index, Index>; ///< The lower id first, unless it ha
 
 struct BoundaryLoops
 {
-  std::vector<BoundaryLoop> Loops; ///< In the order of their first triangles.
-  std::size_t NonManifold = 0;     ///< Boundaries that end at a non-manifold edge: no loops.
-  std::vector<PointPair> Added;    ///< The ends of edges in whose middle a cap has a new point.
-  std::set<PointPair> Chords;      ///< Other edges of the surface between two points of loops.
+  std::vector<BoundaryLoop> Loops;   ///< In the order of their first triangles.
+  std::size_t NonManifold = 0;       ///< Boundaries that end at a non-manifold edge: no loops.
+  std::vector<PointPair> SplitEdges; ///< The ends of edges in whose middle a cap has a new point.
+  std::set<PointPair> Chords;        ///< Other edges between points of loops.
 };
 
 /// Points of equal coordinates are one. Triangles with an id out of range or two equal corners do
@@ -38,12 +38,12 @@ struct BoundaryLoops
 BoundaryLoops FindBoundaryLoops(const Surface& surface);
 
 /**
- * Loops at planes where the surface ends: within a distance of its points, a loop lies in the plane
- * and all other points lie on its inner side. Loops of the same plane belong together, as the outer
- * and the inner boundary of a cut shaft do. A loop of three points lies in a plane always, and
- * counts only beside a larger one.
- * @param tolerance mm
- * @returns Indices of loops, a list per plane, the largest loop of each first.
+ * Loops at planes where the surface ends: the points of a loop lie within the tolerance of the
+ * plane and all other points on its inner side. Loops of the same plane belong together, as the
+ * outer and the inner boundary of a cut shaft do. A loop of three points always lies in a plane, so
+ * it counts only beside a larger one.
+ * @param tolerance mm.
+ * @return Indices of loops, a list for each plane, the largest loop of each first.
  */
 std::vector<std::vector<std::size_t>> GroupByEndPlanes(
   const Surface& surface, const std::vector<BoundaryLoop>& loops, double tolerance);

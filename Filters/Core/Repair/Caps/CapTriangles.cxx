@@ -38,7 +38,7 @@ bool AreBoundedBy(std::set<PointPair> boundary, const std::vector<Triangle>& tri
   return boundary.empty();
 }
 
-/// With the ids of the surface; none if one is out of range.
+/// Replaces ids of contours by those of the surface; none if one is out of range.
 std::vector<Triangle> WithIdsOf(std::vector<Triangle> triangles, const std::vector<Index>& points)
 {
   const auto count = static_cast<Index>(points.size());
@@ -56,7 +56,7 @@ std::vector<Triangle> WithIdsOf(std::vector<Triangle> triangles, const std::vect
   return triangles;
 }
 
-/// Also edges of loops, which no other cap can have.
+/// Adds all edges, including those of loops, which no other cap can have.
 void AddChords(const std::vector<Triangle>& triangles, std::set<PointPair>& chords)
 {
   for (const Triangle& corners : triangles)
@@ -85,7 +85,7 @@ std::optional<std::pair<std::size_t, std::size_t>> FindChord(
   return std::nullopt;
 }
 
-/// Divides a triangle by a point on its side from one corner to another, if it has that side.
+/// Splits the triangle that has the side from-to at a point on this side, if there is one.
 void Divide(
   Index from, Index to, Index middle, std::vector<Triangle>& triangles, std::vector<Triangle>& more)
 {
@@ -104,7 +104,7 @@ void Divide(
   }
 }
 
-/// Puts a point on the middle of each edge of a cap that the surface has already.
+/// Splits each edge of a cap that the surface already has in the middle.
 void SplitChords(Surface& surface, BoundaryLoops& found, std::vector<Triangle>& triangles)
 {
   while (const auto side = FindChord(triangles, found.Chords))
@@ -114,7 +114,7 @@ void SplitChords(Surface& surface, BoundaryLoops& found, std::vector<Triangle>& 
     const auto middle = static_cast<Index>(surface.Points.size());
     surface.Points.emplace_back(0.5 *
       (surface.Points[static_cast<std::size_t>(a)] + surface.Points[static_cast<std::size_t>(b)]));
-    found.Added.emplace_back(a, b);
+    found.SplitEdges.emplace_back(a, b);
     std::vector<Triangle> more;
     Divide(a, b, middle, triangles, more);
     Divide(b, a, middle, triangles, more);
@@ -122,7 +122,7 @@ void SplitChords(Surface& surface, BoundaryLoops& found, std::vector<Triangle>& 
   }
 }
 
-/// Triangles that have points in common, with the loops whose points they have.
+/// Connected triangles, with the loops at their points.
 std::vector<Cap> Pieces(const std::vector<Triangle>& triangles,
   const std::vector<BoundaryLoop>& loops, const std::vector<std::size_t>& group)
 {

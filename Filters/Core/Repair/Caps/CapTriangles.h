@@ -14,7 +14,7 @@
 
 namespace bonedecimate
 {
-/// Closed contours one after the other, outlines and holes, in one plane.
+/// Closed contours in one plane, outlines and holes.
 struct Contours
 {
   std::vector<Vector3> Points; ///< mm
@@ -22,11 +22,10 @@ struct Contours
   Vector3 Normal; ///< Unit vector; outlines are counter-clockwise around it, holes clockwise.
 };
 
-/// Triangles between the points of contours, as vtkContourTriangulator makes them; none if it
-/// cannot.
+/// Makes triangles between the points of contours, like vtkContourTriangulator; none if it fails.
 using ContourTriangulator = std::function<std::vector<Triangle>(const Contours&)>;
 
-/// A connected piece with the loops that it closes.
+/// A connected piece, and the loops that it closes.
 struct Cap
 {
   std::vector<Triangle> Triangles;
@@ -34,11 +33,11 @@ struct Cap
 };
 
 /**
- * Fills loops as outlines and holes, seen along the sum of their areas. Each edge of a loop
- * gets one triangle, each other edge of a cap two. Where such an edge would be one of the
- * surface, it is split in the middle.
- * @param surface Points takes the new points.
- * @param found Added takes their ends, Chords the edges of the caps.
+ * Fills loops as outlines and holes, seen along the sum of their areas. Each edge of a loop gets
+ * one triangle, each other edge of a cap two. If the surface already has such an edge, it is split
+ * in the middle.
+ * @param surface Receives the new points.
+ * @param found Added receives the ends of split edges, Chords the edges of the caps.
  * @param group Indices of loops. Those that cannot be filled are in no cap.
  */
 std::vector<Cap> FillLoops(Surface& surface, BoundaryLoops& found,

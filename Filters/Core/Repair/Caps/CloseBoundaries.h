@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CloseBoundaries.h
- * @brief Closes open boundaries of a surface by triangles, on request: no error bound includes
- * them.
+ * @brief Closes open boundaries of a surface by triangles, on request. Error bounds do not include
+ * these.
  */
 #ifndef BoneDecimate_Core_Repair_Caps_CloseBoundaries_h
 #define BoneDecimate_Core_Repair_Caps_CloseBoundaries_h
@@ -26,9 +26,9 @@ struct CapOptions
 struct CapsOfSurface
 {
   std::vector<Triangle> Triangles; ///< All caps; ids from the number of points on are new points.
-  std::vector<Index> Neighbors;    ///< For each of them a triangle of the surface beside its cap.
+  std::vector<Index> Neighbors;    ///< For each triangle one of the surface beside its cap.
   std::vector<Vector3> Points;     ///< mm, the new ones.
-  std::vector<PointPair> Ends; ///< For each new point those between which it lies in the middle.
+  std::vector<PointPair> Ends;     ///< For each new point the two points that it halves.
   Index NumberOfCaps = 0;
   double Area = 0.0; ///< mm^2
   Index ClosedLoops = 0;

@@ -8,7 +8,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// mm^2, the area, and a little more for a long perimeter; infinite for three points about on a
+/// mm^2, the area and a small term for the perimeter; infinite if the three points lie nearly on a
 /// line.
 double CostOf(const Vector3& a, const Vector3& b, const Vector3& c)
 {
@@ -27,7 +27,7 @@ public:
     : Contour(contour)
     , IsAllowed(isAllowed)
     , Count(contour.size())
-    , Best(Count * Count)
+    , BestParts(Count * Count)
   {
   }
 
@@ -49,14 +49,17 @@ public:
   }
 
 private:
-  /// The part of the contour from one point to another, closed by the edge between them.
+  /// The best triangulation of a part of the contour, closed by the edge between its ends.
   struct Part
   {
     double Area = 0.0; // mm^2, the cost
     std::size_t Apex = 0;
   };
 
-  Part& At(std::size_t first, std::size_t last) { return this->Best[first * this->Count + last]; }
+  Part& At(std::size_t first, std::size_t last)
+  {
+    return this->BestParts[first * this->Count + last];
+  }
 
   void Improve(std::size_t first, std::size_t last)
   {
@@ -97,7 +100,7 @@ private:
   const std::vector<Vector3>& Contour;
   const std::function<bool(Index, Index)>& IsAllowed;
   std::size_t Count;
-  std::vector<Part> Best;
+  std::vector<Part> BestParts;
 };
 }
 

@@ -24,26 +24,26 @@ class DiagnosticRun
 {
 public:
   DiagnosticRun(const Surface& surface, int threads)
-    : Whole(surface)
+    : InputSurface(surface)
     , Threads(threads)
   {
   }
 
-  std::vector<Diagnostic> Go()
+  std::vector<Diagnostic> Run()
   {
-    this->LookAtPoints();
-    this->LookAtTriangles();
+    this->CheckPoints();
+    this->CheckTriangles();
     if (this->Diagnostics.empty())
     {
-      const CleanSurface clean = Clean(this->Whole, true, this->Threads);
-      this->LookAtCorners(clean);
-      this->LookAtUse();
+      const CleanSurface clean = Clean(this->InputSurface, true, this->Threads);
+      this->CheckCorners(clean);
+      this->CheckUse();
       if (clean.Status == InputStatus::Good)
       {
-        this->LookAtDuplicates(clean);
-        this->LookAtEqualPoints(clean);
-        this->LookAtEdges(clean);
-        this->LookAtTheWhole(clean);
+        this->CheckDuplicates(clean);
+        this->CheckEqualPoints(clean);
+        this->CheckEdges(clean);
+        this->CheckSizeAndComponents(clean);
       }
     }
     std::sort(this->Diagnostics.begin(), this->Diagnostics.end(),
@@ -52,9 +52,9 @@ public:
   }
 
 private:
-  /// Ids below count for which the predicate holds.
+  /// Adds a diagnostic with the ids below count for which the predicate holds.
   template <typename IsFound>
-  void Look(DiagnosticKind kind, std::size_t count, const IsFound& isFound)
+  void FindIds(DiagnosticKind kind, std::size_t count, const IsFound& isFound)
   {
     Diagnostic diagnostic = { kind };
     for (std::size_t i = 0; i < count; ++i)
@@ -85,22 +85,22 @@ private:
     }
   }
 
-  void LookAtPoints()
+  void CheckPoints()
   {
-    const std::vector<Vector3>& points = this->Whole.Points;
-    this->Look(DiagnosticKind::NonFinitePoints, points.size(),
+    const std::vector<Vector3>& points = this->InputSurface.Points;
+    this->FindIds(DiagnosticKind::NonFinitePoints, points.size(),
       [&](std::size_t p) { return !points[p].allFinite(); });
-    this->Look(DiagnosticKind::HugePoints, points.size(),
+    this->FindIds(DiagnosticKind::HugePoints, points.size(),
       [&](std::size_t p) { return points[p].allFinite() && !IsUsable(points[p]); });
   }
 
-  void LookAtTriangles()
+  void CheckTriangles()
   {
-    const auto count = static_cast<Index>(this->Whole.Points.size());
-    this->Look(DiagnosticKind::IdsOutOfRange, this->Whole.Triangles.size(),
+    const auto count = static_cast<Index>(this->InputSurface.Points.size());
+    this->FindIds(DiagnosticKind::IdsOutOfRange, this->InputSurface.Triangles.size(),
       [&](std::size_t t)
       {
-        const Triangle& c = this->Whole.Triangles[t];
+        const Triangle& c = this->InputSurface.Triangles[t];
         return std::any_of(c.begin(), c.end(), [&](Index id) { return id < 0 || id >= count; });
       });
   }
@@ -118,19 +118,19 @@ private:
     return merged;
   }
 
-  void LookAtCorners(const CleanSurface& clean)
+  void CheckCorners(const CleanSurface& clean)
   {
-    const std::vector<Triangle>& triangles = this->Whole.Triangles;
+    const std::vector<Triangle>& triangles = this->InputSurface.Triangles;
     const auto position = [&](Index id) -> const Vector3&
-    { return this->Whole.Points[static_cast<std::size_t>(id)]; };
+    { return this->InputSurface.Points[static_cast<std::size_t>(id)]; };
     const auto repeats = [&](const Triangle& c)
     {
       return position(c[0]) == position(c[1]) || position(c[1]) == position(c[2]) ||
         position(c[2]) == position(c[0]);
     };
-    this->Look(DiagnosticKind::RepeatedCorners, triangles.size(),
+    this->FindIds(DiagnosticKind::RepeatedCorners, triangles.size(),
       [&](std::size_t t) { return repeats(triangles[t]); });
-    this->Look(DiagnosticKind::NoArea, triangles.size(),
+    this->FindIds(DiagnosticKind::NoArea, triangles.size(),
       [&](std::size_t t)
       {
         const Triangle& c = triangles[t];
@@ -168,14 +168,14 @@ private:
     return { corners, isTurned, id };
   }
 
-  void LookAtDuplicates(const CleanSurface& clean)
+  void CheckDuplicates(const CleanSurface& clean)
   {
     std::vector<Copy> copies;
-    copies.reserve(this->Whole.Triangles.size());
-    for (std::size_t t = 0; t < this->Whole.Triangles.size(); ++t)
+    copies.reserve(this->InputSurface.Triangles.size());
+    for (std::size_t t = 0; t < this->InputSurface.Triangles.size(); ++t)
     {
       copies.push_back(
-        Sorted(MergedCorners(clean, this->Whole.Triangles[t]), static_cast<Index>(t)));
+        Sorted(MergedCorners(clean, this->InputSurface.Triangles[t]), static_cast<Index>(t)));
     }
     std::sort(copies.begin(), copies.end());
     Diagnostic duplicates = { DiagnosticKind::Duplicates };
@@ -192,23 +192,23 @@ private:
     this->Keep(std::move(opposites));
   }
 
-  void LookAtUse()
+  void CheckUse()
   {
-    std::vector<bool> isUsed(this->Whole.Points.size(), false);
-    for (const Triangle& corners : this->Whole.Triangles)
+    std::vector<bool> isUsed(this->InputSurface.Points.size(), false);
+    for (const Triangle& corners : this->InputSurface.Triangles)
     {
       for (const Index corner : corners)
       {
         isUsed[static_cast<std::size_t>(corner)] = true;
       }
     }
-    this->Look(
+    this->FindIds(
       DiagnosticKind::UnusedPoints, isUsed.size(), [&](std::size_t p) { return !isUsed[p]; });
   }
 
-  void LookAtEqualPoints(const CleanSurface& clean)
+  void CheckEqualPoints(const CleanSurface& clean)
   {
-    this->Look(DiagnosticKind::EqualPoints, clean.PointOfInput.size(),
+    this->FindIds(DiagnosticKind::EqualPoints, clean.PointOfInput.size(),
       [&](std::size_t p)
       {
         const Index point = clean.PointOfInput[p];
@@ -217,7 +217,7 @@ private:
       });
   }
 
-  void LookAtEdges(const CleanSurface& clean)
+  void CheckEdges(const CleanSurface& clean)
   {
     const std::vector<Triangle>& triangles = clean.Surface.Triangles;
     const std::size_t points = clean.Surface.Points.size();
@@ -233,12 +233,12 @@ private:
         odd.push_back({ std::minmax(from, to), clean.InputTriangle[h / 4] });
       }
     }
-    this->LookAtOrientation(clean, odd);
+    this->CheckOrientation(clean, odd);
     std::vector<bool> isOdd(points, false);
     std::vector<std::array<Index, 2>> open;
     this->CountEdges(odd, isOdd, open);
-    this->LookAtFans(clean, matching, isOdd);
-    this->LookAtGaps(clean, open);
+    this->CheckFans(clean, matching, isOdd);
+    this->CheckGaps(clean, open);
   }
 
   struct Edge
@@ -247,7 +247,7 @@ private:
     Index Triangle;               // of the input
   };
 
-  void LookAtOrientation(const CleanSurface& clean, const std::vector<Edge>& odd)
+  void CheckOrientation(const CleanSurface& clean, const std::vector<Edge>& odd)
   {
     std::vector<bool> isOpen(clean.Surface.Points.size(), false);
     for (const Edge& edge : odd)
@@ -298,7 +298,7 @@ private:
     this->Keep(std::move(boundary));
   }
 
-  void LookAtFans(
+  void CheckFans(
     const CleanSurface& clean, const EdgeMatching& matching, const std::vector<bool>& isOdd)
   {
     const Rings rings = matching.FindRings();
@@ -313,7 +313,7 @@ private:
     this->Keep(std::move(pinched));
   }
 
-  void LookAtGaps(const CleanSurface& clean, const std::vector<std::array<Index, 2>>& open)
+  void CheckGaps(const CleanSurface& clean, const std::vector<std::array<Index, 2>>& open)
   {
     const NearBoundaries near = FindNearBoundaries(clean.Surface.Points, open);
     Diagnostic unwelded = { DiagnosticKind::UnweldedPoints };
@@ -325,7 +325,7 @@ private:
     this->Keep(std::move(unwelded));
   }
 
-  void LookAtTheWhole(const CleanSurface& clean)
+  void CheckSizeAndComponents(const CleanSurface& clean)
   {
     Diagnostic components = { DiagnosticKind::Components };
     components.Count = FindComponents(clean.Surface).Count;
@@ -341,7 +341,7 @@ private:
     this->Keep(std::move(size));
   }
 
-  const Surface& Whole;
+  const Surface& InputSurface;
   int Threads;
   std::vector<Diagnostic> Diagnostics;
 };
@@ -349,6 +349,6 @@ private:
 
 std::vector<Diagnostic> Diagnose(const Surface& surface, int threads)
 {
-  return DiagnosticRun(surface, threads).Go();
+  return DiagnosticRun(surface, threads).Run();
 }
 }

@@ -72,8 +72,8 @@ struct DiagnosticInfo
 {
   std::string Word;     ///< "non_manifold_edges"
   std::string Plural;   ///< What follows the count: "points are not finite".
-  std::string Singular; ///< The same after the count 1.
-  std::string Of; ///< What the ids of Diagnostic::First identify: "point", "triangle" or empty.
+  std::string Singular; ///< The same for the count 1.
+  std::string IdKind; ///< What the ids of Diagnostic::First identify: "point", "triangle" or empty.
   bonedecimate::Severity Severity = Severity::Note;
 };
 const DiagnosticInfo& InfoOf(DiagnosticKind kind);
@@ -84,8 +84,8 @@ const std::string& DiagnosticSentence(const Diagnostic& diagnostic);
 /// One word: "rejected".
 const char* SeverityWord(Severity severity);
 
-/// The diagnostics found, in the order of the kinds; components are always included. Stops after
-/// the first kind with which the input is rejected.
+/// The diagnostics found, in the order of the kinds. Components are always included. Ends after the
+/// first kind for which the input is rejected.
 std::vector<Diagnostic> Diagnose(const Surface& surface, int threads = 0);
 }
 

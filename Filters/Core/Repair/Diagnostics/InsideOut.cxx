@@ -52,7 +52,7 @@ std::vector<Index> FindInsideOut(const Surface& surface, const std::vector<bool>
   std::sort(components.begin(), components.end(),
     [](const ClosedComponent& a, const ClosedComponent& b)
     { return std::abs(a.Volume) > std::abs(b.Volume); });
-  constexpr std::size_t mostSurrounding = 64; // larger ones that are looked at
+  constexpr std::size_t mostSurrounding = 64; // number of larger components that are tested
   std::vector<const ClosedComponent*> outer;
   std::vector<Index> triangles;
   for (const ClosedComponent& component : components)

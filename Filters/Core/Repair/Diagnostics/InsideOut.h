@@ -15,11 +15,11 @@
 namespace bonedecimate
 {
 /**
- * The first triangle of each of them, ascending. A component of negative volume in the box of a
- * larger one of positive volume is the surface of a cavity and not listed.
+ * The first triangle of each such component, ascending. A component of negative volume in the box
+ * of a larger one of positive volume is the surface of a cavity and not listed.
  * @param surface Its points lie near the origin.
- * @param isOpen For each point: whether it lies on an edge that is not of two triangles of one
- * orientation.
+ * @param isOpen For each point: whether it lies on an edge that does not have two triangles of one
+ *   orientation.
  */
 std::vector<Index> FindInsideOut(const Surface& surface, const std::vector<bool>& isOpen);
 }

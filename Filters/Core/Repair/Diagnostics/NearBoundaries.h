@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NearBoundaries.h
- * @brief Boundary points so near to another boundary point that they were most likely meant to be
- * one.
+ * @brief Boundary points so near to another boundary point that both were probably meant to be one.
  */
 #ifndef BoneDecimate_Core_Repair_Diagnostics_NearBoundaries_h
 #define BoneDecimate_Core_Repair_Diagnostics_NearBoundaries_h
@@ -19,8 +18,7 @@ namespace bonedecimate
 struct NearBoundaries
 {
   std::vector<Index> Points; ///< Ascending.
-  /// mm, the largest distance to the nearest such point: merging points within it welds them all.
-  /// NaN if there are none.
+  /// mm, the distance within which merging joins all these points. NaN if there are none.
   double WeldingDistance = std::numeric_limits<double>::quiet_NaN();
 };
 

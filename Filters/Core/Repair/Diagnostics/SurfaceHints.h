@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceHints.h
- * @brief What makes a surface hard to simplify, with a remedy: a double-sided surface, nearly equal
- * points, one that is inside out.
+ * @brief What makes a surface hard to simplify, with a remedy: double-sided surfaces, nearly equal
+ * points, and surfaces that are inside out.
  */
 #ifndef BoneDecimate_Core_Repair_Diagnostics_SurfaceHints_h
 #define BoneDecimate_Core_Repair_Diagnostics_SurfaceHints_h
@@ -16,7 +16,7 @@
 
 namespace bonedecimate
 {
-/// What a run counted of its input, after cleaning.
+/// Counts of a run's input after cleaning.
 struct CountsOfInput
 {
   std::int64_t Points = 0;
@@ -28,8 +28,8 @@ struct CountsOfInput
 };
 
 /**
- * A sentence for each. The diagnostics, which take time, are run only if the counts tell that most
- * of the surface is not manifold or not connected, or that it is closed and its volume negative.
+ * One sentence for each. The diagnostics, which take time, run only if the counts suggest that most
+ * of the surface is not manifold or not connected, or that it is closed with a negative volume.
  * @param surface The surface of the same run, before cleaning.
  */
 std::vector<std::string> SurfaceHints(

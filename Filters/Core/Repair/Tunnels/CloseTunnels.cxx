@@ -18,7 +18,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-/// What a loop that does not divide the surface surrounds.
+/// What lies inside of a loop that does not divide the surface.
 enum class Surrounded
 {
   Tunnel,
@@ -46,48 +46,31 @@ struct Remaining
   std::vector<Index> Ids; // of the triangles in the plugged surface
 };
 
-/// The sum of the triangle normals at each point, each weighted by twice its area.
-std::vector<Vector3> NormalsOf(const Surface& surface)
-{
-  std::vector<Vector3> normals(surface.Points.size(), Vector3::Zero());
-  for (const Triangle& corners : surface.Triangles)
-  {
-    const Vector3& a = surface.Points[static_cast<std::size_t>(corners[0])];
-    const Vector3 area = (surface.Points[static_cast<std::size_t>(corners[1])] - a)
-                           .cross(surface.Points[static_cast<std::size_t>(corners[2])] - a);
-    for (const Index corner : corners)
-    {
-      normals[static_cast<std::size_t>(corner)] += area;
-    }
-  }
-  return normals;
-}
-
 /// The classes of loops in the order of their lengths, so that each tunnel counts once.
 class SeenClasses
 {
 public:
-  /// Whether the class of the loop is neither seen nor the sum of those seen last.
+  /// Whether the class of the loop is new: neither seen nor a sum of the last ones.
   bool Add(std::uint64_t signature)
   {
-    if (!this->Seen.insert(signature).second)
+    if (!this->SeenSignatures.insert(signature).second)
     {
       return false;
     }
-    if (this->Size == MaxAtATime)
+    if (this->Size == MaxClasses)
     {
       this->Size = 0;
-      this->Last = {};
+      this->LastClasses = {};
     }
-    const bool isNew = this->Last.Add(signature);
+    const bool isNew = this->LastClasses.Add(signature);
     this->Size += isNew ? 1 : 0;
     return isNew;
   }
 
 private:
-  static constexpr int MaxAtATime = 48; // of 64 words: few are dependent by chance
-  std::set<std::uint64_t> Seen;
-  WordBasis Last;
+  static constexpr int MaxClasses = 48; // of 64 words: few are dependent by chance
+  std::set<std::uint64_t> SeenSignatures;
+  WordBasis LastClasses;
   int Size = 0;
 };
 
@@ -107,16 +90,17 @@ public:
 
   SurfaceWithoutTunnels Close()
   {
-    bool goesOn = true;
-    for (bool isFirst = true; goesOn; isFirst = false)
+    bool shouldContinue = true;
+    for (bool isFirst = true; shouldContinue; isFirst = false)
     {
-      goesOn = this->CloseSome(isFirst);
+      shouldContinue = this->CloseSome(isFirst);
     }
     return this->TakeResult();
   }
 
 private:
-  /// One round.  @return Whether it closed any.
+  /// One round.
+  /// @return Whether it closed a tunnel.
   bool CloseSome(bool isFirst)
   {
     const Remaining remaining(this->Plugged);
@@ -134,16 +118,16 @@ private:
       return false;
     }
     this->Figures.GenusAfter = graph.Genus();
-    this->Kept = { this->Plugged.IsRemoved, this->Figures.Closed.size() };
+    this->RoundStart = { this->Plugged.IsRemoved, this->Figures.Closed.size() };
     if (graph.Genus() == 0)
     {
       return false;
     }
     const std::vector<ShortLoop> loops = FindShortLoops(graph, remaining.Surface.Points.size(),
-      this->Girth, this->Threads, [this](double) { return this->GoesOn(); });
-    if (!this->GoesOn())
+      this->Girth, this->Threads, [this](double) { return this->ShouldContinue(); });
+    if (!this->ShouldContinue())
     {
-      this->Kept = {};
+      this->RoundStart = {};
       this->Undo();
       return false;
     }
@@ -153,7 +137,8 @@ private:
   bool CloseLoops(
     const std::vector<ShortLoop>& loops, const EdgeGraph& graph, const Remaining& remaining)
   {
-    const std::vector<Vector3> normals = NormalsOf(remaining.Surface);
+    const std::vector<Vector3> normals =
+      AreaNormals(remaining.Surface.Points, remaining.Surface.Triangles);
     const PlugMaker maker(
       this->Plugged, graph, remaining.Surface, remaining.Ids, this->Constraints);
     std::vector<char> isChanged(remaining.Surface.Points.size(), 0); // in this round
@@ -183,8 +168,8 @@ private:
     return this->Figures.Closed.size() > before;
   }
 
-  /// By the normals along the loop: the mean of their part towards the middle, weighted by length
-  /// and distance.
+  /// Decides by the normals along the loop: the mean of their components towards the middle,
+  /// weighted by length and distance.
   Surrounded Surrounds(const ShortLoop& loop, const std::vector<Vector3>& normals) const
   {
     constexpr double clear = 0.25;
@@ -238,11 +223,11 @@ private:
         .IsRemoved[static_cast<std::size_t>(remaining.Ids[static_cast<std::size_t>(face)])] = 1;
     }
     Index replaced = remaining.Ids[static_cast<std::size_t>(plug.Band.front())];
-    const auto first = static_cast<Index>(this->Plugged.NumberAtFirst);
+    const auto first = static_cast<Index>(this->Plugged.InitialTriangles);
     replaced = replaced < first
       ? replaced
       : this->Plugged.Replaced[static_cast<std::size_t>(replaced - first)];
-    for (const Triangle& corners : plug.Added)
+    for (const Triangle& corners : plug.Caps)
     {
       this->Plugged.Whole.Triangles.push_back(corners);
       this->Plugged.IsRemoved.push_back(0);
@@ -256,34 +241,34 @@ private:
     this->Figures.Closed.push_back(tunnel);
   }
 
-  /// Goes back to the beginning of the last round; to the beginning of all if nothing is kept.
+  /// Restores the state at the beginning of the last round, or the initial one if nothing is kept.
   void Undo()
   {
-    this->Kept.IsRemoved.resize(
-      std::max(this->Kept.IsRemoved.size(), this->Plugged.NumberAtFirst), 0);
-    this->Plugged.IsRemoved = this->Kept.IsRemoved;
+    this->RoundStart.IsRemoved.resize(
+      std::max(this->RoundStart.IsRemoved.size(), this->Plugged.InitialTriangles), 0);
+    this->Plugged.IsRemoved = this->RoundStart.IsRemoved;
     this->Plugged.IsRemoved.resize(this->Plugged.Whole.Triangles.size(), 1);
-    this->Figures.Closed.resize(this->Kept.Closed);
+    this->Figures.Closed.resize(this->RoundStart.ClosedTunnels);
     this->Figures.GenusAfter =
-      this->Figures.GenusBefore - static_cast<std::int64_t>(this->Kept.Closed);
+      this->Figures.GenusBefore - static_cast<std::int64_t>(this->RoundStart.ClosedTunnels);
   }
 
-  bool GoesOn()
+  bool ShouldContinue()
   {
-    this->IsGoing = this->IsGoing && (!this->Progress || this->Progress(0.0));
-    return this->IsGoing;
+    this->IsAborted = this->IsAborted || (this->Progress && !this->Progress(0.0));
+    return !this->IsAborted;
   }
 
   SurfaceWithoutTunnels TakeResult()
   {
     SurfaceWithoutTunnels made;
-    const auto first = static_cast<std::ptrdiff_t>(this->Plugged.NumberAtFirst);
-    for (std::size_t t = this->Plugged.NumberAtFirst; t < this->Plugged.IsRemoved.size(); ++t)
+    const auto first = static_cast<std::ptrdiff_t>(this->Plugged.InitialTriangles);
+    for (std::size_t t = this->Plugged.InitialTriangles; t < this->Plugged.IsRemoved.size(); ++t)
     {
       if (this->Plugged.IsRemoved[t] == 0)
       {
         made.Added.push_back(this->Plugged.Whole.Triangles[t]);
-        made.Replaced.push_back(this->Plugged.Replaced[t - this->Plugged.NumberAtFirst]);
+        made.Replaced.push_back(this->Plugged.Replaced[t - this->Plugged.InitialTriangles]);
       }
     }
     made.IsRemoved.assign(this->Plugged.IsRemoved.begin(), this->Plugged.IsRemoved.begin() + first);
@@ -312,10 +297,10 @@ private:
       MaxDistanceTo(BoundingTree(plugs, this->Threads), replaced));
   }
 
-  struct KeptState
+  struct RoundState
   {
     std::vector<char> IsRemoved;
-    std::size_t Closed = 0;
+    std::size_t ClosedTunnels = 0;
   };
 
   PluggedSurface Plugged;
@@ -323,9 +308,9 @@ private:
   double Girth; // mm
   int Threads;
   const Monitor& Progress;
-  bool IsGoing = true;
+  bool IsAborted = false;
   std::int64_t Components = 0;
-  KeptState Kept; // at the beginning of the round
+  RoundState RoundStart; // at the beginning of the round
   TunnelFigures Figures;
 };
 }

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CloseTunnels.h
- * @brief Closes the narrow tunnels of a surface; what surrounds bone instead of a tunnel is never
- * cut.
+ * @brief Closes the narrow tunnels of a surface. Struts of bone are never cut.
  *
  *     in rounds, until none closes a tunnel:
  *       graph      signatures of the remaining surface                     (EdgeGraph.h)
  *       loops      short ones that do not divide it, the shortest first    (ShortLoops.h)
- *       direction  normals along the loop point to its middle: a tunnel    (IsTunnel below)
+ *       direction  a tunnel if normals along the loop point to its middle  (Surrounds)
  *       plug       replaces a band along the loop by two caps              (TunnelPlug.h)
- *     a loop whose band was changed in the same round, or that divides the surface
- *       by now, waits for the next one
+ *     a loop whose band was changed in the same round, or that divides the surface by now,
+ *     waits for the next one
  */
 #ifndef BoneDecimate_Core_Repair_Tunnels_CloseTunnels_h
 #define BoneDecimate_Core_Repair_Tunnels_CloseTunnels_h
@@ -24,12 +23,12 @@
 
 namespace bonedecimate
 {
-/// What the surface becomes; its points stay as they are.
+/// The changes of the surface; its points stay as they are.
 struct SurfaceWithoutTunnels
 {
   std::vector<char> IsRemoved; ///< One flag for each triangle.
   std::vector<Triangle> Added; ///< Triangles of the plugs.
-  std::vector<Index> Replaced; ///< For each of them a triangle that it replaces.
+  std::vector<Index> Replaced; ///< For each added triangle one that it replaces.
   TunnelFigures Figures;       ///< All but Conflict.
 };
 

@@ -218,7 +218,7 @@ EdgeGraph::Cotrees EdgeGraph::GrowCotrees(const std::vector<bool>& isInTree) con
 }
 
 //------------------------------------------------------------------------------
-/// Those of the cotrees add up from their leaves to their roots.
+/// Signatures of edges of the cotrees are sums from the leaves to the roots.
 void EdgeGraph::SetSignatures(const std::vector<bool>& isInTree, const Cotrees& trees)
 {
   std::vector<bool> isLeftover(this->EdgeList.size());
@@ -231,7 +231,7 @@ void EdgeGraph::SetSignatures(const std::vector<bool>& isInTree, const Cotrees& 
     }
   }
   std::vector<std::uint64_t> below(
-    trees.Order.size(), 0); // the words that leave the subtree of a face
+    trees.Order.size(), 0); // sum of the words that leave the subtree of a face
   for (std::size_t e = 0; e < this->EdgeList.size(); ++e)
   {
     if (isLeftover[e])

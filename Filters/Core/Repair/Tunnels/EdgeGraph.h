@@ -39,7 +39,7 @@ struct GraphEdge
   std::uint64_t Signature = 0; ///< See above.
 };
 
-/// One way from a point.
+/// An edge from a point.
 struct GraphSpoke
 {
   Index To;   ///< Point.
@@ -49,8 +49,8 @@ struct GraphSpoke
 class EdgeGraph
 {
 public:
-  /// @param surface Manifold, with or without boundary; points that no triangle uses are allowed.
-  /// Must outlive this.
+  /// @param surface Manifold, with or without boundary; points without triangles are allowed. Must
+  ///   outlive this object.
   explicit EdgeGraph(const Surface& surface, int threads);
 
   const std::vector<GraphEdge>& Edges() const { return this->EdgeList; }

@@ -15,7 +15,7 @@
 
 namespace bonedecimate
 {
-/// What may not be removed.
+/// What must not be removed.
 struct TunnelConstraints
 {
   std::vector<char> IsFixed; ///< Whether the triangles at a point stay.
@@ -28,7 +28,7 @@ struct PluggedSurface
   PluggedSurface(const Surface& surface, int threads)
     : Whole(surface)
     , IsRemoved(surface.Triangles.size(), 0)
-    , NumberAtFirst(surface.Triangles.size())
+    , InitialTriangles(surface.Triangles.size())
     , Tree(surface, threads)
   {
   }
@@ -40,9 +40,9 @@ struct PluggedSurface
 
   Surface Whole; ///< With the removed triangles.
   std::vector<char> IsRemoved;
-  std::vector<Index> Replaced; ///< For each appended triangle one of those that it replaces.
-  std::size_t NumberAtFirst;   ///< Number of triangles before any plug.
-  BoundingTree Tree;           ///< Bounding tree of those triangles.
+  std::vector<Index> Replaced;  ///< For each appended triangle one of those that it replaces.
+  std::size_t InitialTriangles; ///< Number of triangles before any plug.
+  BoundingTree Tree;            ///< Bounding tree of those triangles.
 };
 }
 

@@ -17,14 +17,14 @@ namespace bonedecimate
 {
 namespace
 {
-/// The search from one seed. Its memory is in proportion to the surface, so it is used for many
+/// The search from one seed. Its memory is proportional to the surface, so one object serves many
 /// seeds.
 class LoopSearch
 {
 public:
-  LoopSearch(const EdgeGraph& graph, std::size_t points, double longest)
+  LoopSearch(const EdgeGraph& graph, std::size_t points, double maxLength)
     : Graph(graph)
-    , Longest(longest)
+    , MaxLength(maxLength)
     , Reached(points)
   {
   }
@@ -54,8 +54,8 @@ private:
   {
     double Distance = 0.0; // mm from the seed
     std::uint64_t Signature = 0;
-    Index From = None;
-    std::uint32_t Search = 0; // in which it was reached
+    Index Previous = None;
+    std::uint32_t Search = 0; // the search that reached it
     bool IsSettled = false;
   };
   /// An edge that closes a loop.
@@ -90,12 +90,12 @@ private:
       {
         const std::uint64_t signature = here.Signature ^ there.Signature ^ edge.Signature;
         const double length = distance + there.Distance;
-        if (signature != 0 && length <= this->Longest)
+        if (signature != 0 && length <= this->MaxLength)
         {
           this->Keep({ length, signature, point, spoke->To });
         }
       }
-      else if (2.0 * distance <= this->Longest && (!isReached || distance < there.Distance))
+      else if (2.0 * distance <= this->MaxLength && (!isReached || distance < there.Distance))
       {
         this->Reach(spoke->To, distance, here.Signature ^ edge.Signature, point);
       }
@@ -121,7 +121,7 @@ private:
   std::vector<Index> PathTo(Index point)
   {
     std::vector<Index> path;
-    for (Index at = point; at != None; at = this->At(at).From)
+    for (Index at = point; at != None; at = this->At(at).Previous)
     {
       path.push_back(at);
     }
@@ -129,7 +129,7 @@ private:
     return path;
   }
 
-  /// Without the way from the seed that both paths have in common.
+  /// The loop without the part that both paths from the seed have in common.
   ShortLoop LoopOf(const Closing& closing)
   {
     const std::vector<Index> a = this->PathTo(closing.A);
@@ -165,7 +165,7 @@ private:
   }
 
   const EdgeGraph& Graph;
-  double Longest; // mm
+  double MaxLength; // mm
   std::vector<Visit> Reached;
   std::uint32_t Search = 0;
   using Waiting = std::pair<double, Index>;
@@ -216,7 +216,7 @@ void SortAndMerge(std::vector<ShortLoop>& loops)
 }
 
 std::vector<ShortLoop> FindShortLoops(
-  const EdgeGraph& graph, std::size_t points, double longest, int threads, const Monitor& monitor)
+  const EdgeGraph& graph, std::size_t points, double maxLength, int threads, const Monitor& monitor)
 {
   const std::vector<Index> seeds = SeedsOf(graph, points);
   std::vector<std::vector<ShortLoop>> found(NumberOfChunks(seeds.size()));
@@ -225,7 +225,7 @@ std::vector<ShortLoop> FindShortLoops(
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
       const auto search =
-        pool.Borrow([&] { return std::make_unique<LoopSearch>(graph, points, longest); });
+        pool.Borrow([&] { return std::make_unique<LoopSearch>(graph, points, maxLength); });
       for (std::size_t i = first; i < last; ++i)
       {
         search->FindFrom(seeds[i], found[chunk]);

@@ -23,34 +23,10 @@ TriangleCorners PositionsOf(const PluggedSurface& surface, const Triangle& corne
   return { surface.Point(corners[0]), surface.Point(corners[1]), surface.Point(corners[2]) };
 }
 
-/// Exactly, as TrianglePair.h says; common corners are those with the same id.
+/// Decided exactly; corners with the same id are common.
 bool DoIntersect(const PluggedSurface& surface, const Triangle& a, const Triangle& b)
 {
-  std::array<std::size_t, 3> inA{};
-  std::array<std::size_t, 3> inB{};
-  std::size_t common = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const auto same = std::find(b.begin(), b.end(), a[i]);
-    if (same != b.end())
-    {
-      inA[common] = i;
-      inB[common++] = static_cast<std::size_t>(same - b.begin());
-    }
-  }
-  const PlaneTriangle first(PositionsOf(surface, a));
-  const PlaneTriangle second(PositionsOf(surface, b));
-  switch (common)
-  {
-    case 0:
-      return Meet(first, second);
-    case 1:
-      return MeetBeyondCorner(first, inA[0], second, inB[0]);
-    case 2:
-      return MeetBeyondEdge(first, 3 - inA[0] - inA[1], second.Corners[3 - inB[0] - inB[1]]);
-    default:
-      return true;
-  }
+  return Meet(PlaneTriangle(PositionsOf(surface, a)), a, PlaneTriangle(PositionsOf(surface, b)), b);
 }
 
 /// Six times the volume of the tetrahedron with a point, mm^3.
@@ -104,7 +80,8 @@ TunnelObstacle PlugMaker::MakeOn(Side side, const std::vector<Index>& loop, Tunn
 }
 
 //------------------------------------------------------------------------------
-/// Adds the triangles around a point of the loop.  @return False at a boundary.
+/// Adds the triangles around a point of the loop, on one side or both.
+/// @return False at a boundary.
 bool PlugMaker::AddRing(
   Side side, Index before, Index point, Index after, std::vector<Index>& band) const
 {
@@ -135,7 +112,7 @@ bool PlugMaker::AddRing(
 }
 
 //------------------------------------------------------------------------------
-/// Ascending; empty if the loop meets a boundary.
+/// The triangles along the loop, ascending; empty if the loop meets a boundary.
 std::vector<Index> PlugMaker::BandAlong(const std::vector<Index>& loop, Side side) const
 {
   std::vector<Index> band;
@@ -160,7 +137,7 @@ bool PlugMaker::IsFree(const std::vector<Index>& band) const
   const auto labelOf = [&](Index face)
   {
     auto id = static_cast<std::size_t>(this->Ids[static_cast<std::size_t>(face)]);
-    const std::size_t first = this->Plugged.NumberAtFirst;
+    const std::size_t first = this->Plugged.InitialTriangles;
     id = id < first ? id : static_cast<std::size_t>(this->Plugged.Replaced[id - first]);
     return labels.empty() ? 0 : labels[id];
   };
@@ -248,18 +225,18 @@ bool PlugMaker::AddCap(const std::vector<Index>& rim, TunnelPlug& plug) const
     contour, [&](Index a, Index b) { return !this->HasOtherEdge(idOf(a), idOf(b), plug.Band); });
   for (const Triangle& corners : triangles)
   {
-    plug.Added.push_back({ idOf(corners[0]), idOf(corners[1]), idOf(corners[2]) });
+    plug.Caps.push_back({ idOf(corners[0]), idOf(corners[1]), idOf(corners[2]) });
   }
   return !triangles.empty();
 }
 
 //------------------------------------------------------------------------------
-/// mm^3, by which the surface encloses more.
+/// mm^3, by which the enclosed volume grows.
 double PlugMaker::VolumeOf(const TunnelPlug& plug) const
 {
-  const Vector3& from = this->Plugged.Point(plug.Added.front()[0]);
+  const Vector3& from = this->Plugged.Point(plug.Caps.front()[0]);
   double six = 0.0;
-  for (const Triangle& corners : plug.Added)
+  for (const Triangle& corners : plug.Caps)
   {
     six += SixVolumes(this->Plugged, corners, from);
   }
@@ -283,12 +260,12 @@ bool PlugMaker::Intersects(const TunnelPlug& plug) const
   {
     removed.push_back(this->Ids[static_cast<std::size_t>(face)]); // ascending, as the faces are
   }
-  for (std::size_t i = 0; i < plug.Added.size(); ++i)
+  for (std::size_t i = 0; i < plug.Caps.size(); ++i)
   {
-    const Triangle& cap = plug.Added[i];
+    const Triangle& cap = plug.Caps[i];
     const TriangleCorners corners = PositionsOf(surface, cap);
     bool isBad = !HasArea(corners) ||
-      std::any_of(plug.Added.begin() + static_cast<std::ptrdiff_t>(i) + 1, plug.Added.end(),
+      std::any_of(plug.Caps.begin() + static_cast<std::ptrdiff_t>(i) + 1, plug.Caps.end(),
         [&](const Triangle& other) { return DoIntersect(surface, cap, other); });
     const auto meets = [&](Index id)
     {
@@ -307,7 +284,8 @@ bool PlugMaker::Intersects(const TunnelPlug& plug) const
     {
       surface.Tree.VisitNear(center, squared, meets);
     }
-    for (std::size_t t = surface.NumberAtFirst; !isBad && t < surface.Whole.Triangles.size(); ++t)
+    for (std::size_t t = surface.InitialTriangles; !isBad && t < surface.Whole.Triangles.size();
+         ++t)
     {
       meets(static_cast<Index>(t));
     }

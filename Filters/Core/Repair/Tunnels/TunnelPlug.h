@@ -6,10 +6,10 @@
  * caps.
  *
  *     band       the triangles at the points of the loop, on both sides or on one; an annulus
- *     caps       triangles of least area on its two rims; they have no new point,
- *                and no edge that the surface has
- *     plug       what the band and the caps enclose: it must add volume, and
- *                the caps must intersect nothing
+ *     caps       triangles of least area on its two rims, without new points and without
+ *                edges that the surface has
+ *     plug       the volume between the band and the caps: it must be positive, and the caps
+ *                must intersect nothing
  */
 #ifndef BoneDecimate_Core_Repair_Tunnels_TunnelPlug_h
 #define BoneDecimate_Core_Repair_Tunnels_TunnelPlug_h
@@ -25,15 +25,16 @@ namespace bonedecimate
 {
 struct TunnelPlug
 {
-  std::vector<Index> Band;     ///< Triangles of the graph.
-  std::vector<Triangle> Added; ///< Caps.
-  double Volume = 0.0;         ///< mm^3
+  std::vector<Index> Band; ///< Triangles of the graph.
+  std::vector<Triangle> Caps;
+  double Volume = 0.0; ///< mm^3
 };
 
 class PlugMaker
 {
 public:
-  /// @param graph The graph of the remaining triangles.  @param ids Their ids in the surface.
+  /// @param graph The graph of the remaining triangles.
+  /// @param ids Their ids in the surface.
   PlugMaker(const PluggedSurface& surface, const EdgeGraph& graph, const Surface& remaining,
     const std::vector<Index>& ids, const TunnelConstraints& constraints)
     : Plugged(surface)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WordBasis.h
- * @brief Words of 64 bits that are independent: none is the exclusive or of others.
+ * @brief A basis of 64-bit words: none is the exclusive or of others.
  */
 #ifndef BoneDecimate_Core_Repair_Tunnels_WordBasis_h
 #define BoneDecimate_Core_Repair_Tunnels_WordBasis_h
@@ -33,8 +33,8 @@ public:
   }
 
 private:
-  /// The word, or its exclusive or with words of the basis that has none of their highest
-  /// bits; 0 if it depends on them.
+  /// The exclusive or of the word and those words of the basis that clear all of its highest bits;
+  /// 0 if it depends on them.
   std::uint64_t Reduce(std::uint64_t word) const
   {
     for (std::size_t bit = 64; bit-- > 0;)

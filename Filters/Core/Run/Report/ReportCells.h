@@ -20,7 +20,7 @@ namespace bonedecimate
 template <typename CellOf>
 void NameCells(const CellOf& cellOf, Diagnostic& finding)
 {
-  if (InfoOf(finding.Kind).Of != "triangle")
+  if (InfoOf(finding.Kind).IdKind != "triangle")
   {
     return;
   }

@@ -124,9 +124,9 @@ void AddDiagnostics(Entries& entries, const std::vector<Diagnostic>& diagnostics
     entries.push_back({ path + ".sentence", "", DiagnosticSentence(found) });
     entries.push_back({ path + ".count", "", found.Count });
     AddIfKnown(entries, path + ".length", "mm", found.Length);
-    for (std::size_t k = 0; k < found.First.size() && !info.Of.empty(); ++k)
+    for (std::size_t k = 0; k < found.First.size() && !info.IdKind.empty(); ++k)
     {
-      entries.push_back({ path + ".first_" + info.Of + "s." + std::to_string(k), "",
+      entries.push_back({ path + ".first_" + info.IdKind + "s." + std::to_string(k), "",
         static_cast<std::int64_t>(found.First[k]) });
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PartTree.h"
+#include "FragmentTree.h"
 
 #include "FloatBox.h"
 #include "Geometry/TriangleFrame.h"
@@ -15,8 +15,8 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr Index OfLeaf = 4; // triangles
-/// A little less than that of the largest angle across a gap.
+constexpr Index TrianglesPerLeaf = 4;
+/// A little less than the square of MinFacingCosine.
 constexpr double SquaredCosine = 0.99 * MinFacingCosine * MinFacingCosine;
 
 float Below(double x)
@@ -35,12 +35,12 @@ double SquaredGap(double below, double above)
 }
 }
 
-PartTree::PartTree(const Surface& surface, const Components& parts)
+FragmentTree::FragmentTree(const Surface& surface, const Components& fragments)
   : Source(surface)
-  , Parts(parts)
+  , Fragments(fragments)
   , Leaves(1)
 {
-  while (this->Leaves * OfLeaf < surface.Triangles.size())
+  while (this->Leaves * TrianglesPerLeaf < surface.Triangles.size())
   {
     this->Leaves *= 2;
   }
@@ -57,35 +57,35 @@ PartTree::PartTree(const Surface& surface, const Components& parts)
 
 //------------------------------------------------------------------------------
 /// The triangles are distributed evenly over the leaves.
-Index PartTree::FirstOf(std::size_t leaf) const
+Index FragmentTree::FirstOf(std::size_t leaf) const
 {
   return static_cast<Index>(
     std::uint64_t(leaf) * this->Source.Triangles.size() / this->Leaves); // 32 bits overflow
 }
 
 //------------------------------------------------------------------------------
-Index PartTree::PartOf(Index triangle) const
+Index FragmentTree::FragmentOf(Index triangle) const
 {
-  return this->Parts.OfPoint[this->Source.Triangles[triangle][0]];
+  return this->Fragments.OfPoint[this->Source.Triangles[triangle][0]];
 }
 
 //------------------------------------------------------------------------------
-TriangleCorners PartTree::CornersOf(Index triangle) const
+TriangleCorners FragmentTree::CornersOf(Index triangle) const
 {
   const Triangle& c = this->Source.Triangles[triangle];
   return { this->Source.Points[c[0]], this->Source.Points[c[1]], this->Source.Points[c[2]] };
 }
 
 //------------------------------------------------------------------------------
-void PartTree::FillLeaf(std::size_t leaf)
+void FragmentTree::FillLeaf(std::size_t leaf)
 {
   Node& node = this->Nodes[this->Leaves + leaf];
   node.Low.fill(FloatInfinity);
   node.High.fill(-FloatInfinity);
   node.MinNormal = node.Low;
   node.MaxNormal = node.High;
-  node.FirstPart = std::numeric_limits<Index>::max();
-  node.LastPart = None;
+  node.MinFragment = std::numeric_limits<Index>::max();
+  node.MaxFragment = None;
   for (Index t = this->FirstOf(leaf); t < this->FirstOf(leaf + 1); ++t)
   {
     const TriangleCorners p = this->CornersOf(t);
@@ -99,13 +99,13 @@ void PartTree::FillLeaf(std::size_t leaf)
       node.MinNormal[axis] = std::min(node.MinNormal[axis], Below(normal[at]));
       node.MaxNormal[axis] = std::max(node.MaxNormal[axis], Above(normal[at]));
     }
-    node.FirstPart = std::min(node.FirstPart, this->PartOf(t));
-    node.LastPart = std::max(node.LastPart, this->PartOf(t));
+    node.MinFragment = std::min(node.MinFragment, this->FragmentOf(t));
+    node.MaxFragment = std::max(node.MaxFragment, this->FragmentOf(t));
   }
 }
 
 //------------------------------------------------------------------------------
-void PartTree::Join(std::size_t node)
+void FragmentTree::Join(std::size_t node)
 {
   Node& both = this->Nodes[node];
   const Node& a = this->Nodes[2 * node];
@@ -117,12 +117,12 @@ void PartTree::Join(std::size_t node)
     both.MinNormal[axis] = std::min(a.MinNormal[axis], b.MinNormal[axis]);
     both.MaxNormal[axis] = std::max(a.MaxNormal[axis], b.MaxNormal[axis]);
   }
-  both.FirstPart = std::min(a.FirstPart, b.FirstPart);
-  both.LastPart = std::max(a.LastPart, b.LastPart);
+  both.MinFragment = std::min(a.MinFragment, b.MinFragment);
+  both.MaxFragment = std::max(a.MaxFragment, b.MaxFragment);
 }
 
 //------------------------------------------------------------------------------
-double PartTree::SquaredDistance(const Node& node, const Vector3& p)
+double FragmentTree::SquaredDistance(const Node& node, const Vector3& p)
 {
   double sum = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -134,7 +134,7 @@ double PartTree::SquaredDistance(const Node& node, const Vector3& p)
 }
 
 //------------------------------------------------------------------------------
-double PartTree::SquaredDistance(const Node& a, const Node& b)
+double FragmentTree::SquaredDistance(const Node& a, const Node& b)
 {
   double sum = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -146,10 +146,10 @@ double PartTree::SquaredDistance(const Node& a, const Node& b)
 }
 
 //------------------------------------------------------------------------------
-/// Visits the triangles of all wanted leaves within the limit, which may fall meanwhile; near ones
-/// first.
+/// Visits the triangles of all wanted leaves within the limit, near leaves first. The limit may
+/// fall meanwhile.
 template <typename Wants, typename Visit>
-void PartTree::Walk(
+void FragmentTree::Walk(
   const Vector3& p, const double& squaredLimit, const Wants& wants, const Visit& visit) const
 {
   struct Open
@@ -184,15 +184,16 @@ void PartTree::Walk(
 }
 
 //------------------------------------------------------------------------------
-double PartTree::ToOtherPart(const Vector3& p, Index part, double limit) const
+double FragmentTree::DistanceToOther(const Vector3& p, Index fragment, double limit) const
 {
   double squared = limit * limit;
   this->Walk(
     p, squared,
-    [part](const Node& node, double) { return node.FirstPart != part || node.LastPart != part; },
+    [fragment](const Node& node, double)
+    { return node.MinFragment != fragment || node.MaxFragment != fragment; },
     [&](Index t)
     {
-      if (this->PartOf(t) != part)
+      if (this->FragmentOf(t) != fragment)
       {
         const TriangleCorners c = this->CornersOf(t);
         squared = std::min(squared, TriangleFrame(c[0], c[1], c[2]).SquaredReach(p));
@@ -205,35 +206,35 @@ double PartTree::ToOtherPart(const Vector3& p, Index part, double limit) const
 /// Whether a triangle in the box may have a normal opposed to that of the point, and lie in the
 /// double cone around it.
 /// @param squaredDistance mm^2, from the point to the box.
-bool PartTree::MayFace(
+bool FragmentTree::MayFace(
   const Node& node, double squaredDistance, const Vector3& p, const Vector3& normal)
 {
-  double leastProduct = 0.0;      // of the normals
-  double least = 0.0, most = 0.0; // mm, from the point along its normal
+  double minProduct = 0.0;               // of the normals
+  double minAlong = 0.0, maxAlong = 0.0; // mm, from the point along its normal
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double n = normal[static_cast<Eigen::Index>(axis)];
     const double low = n * (node.Low[axis] - p[static_cast<Eigen::Index>(axis)]);
     const double high = n * (node.High[axis] - p[static_cast<Eigen::Index>(axis)]);
-    leastProduct += std::min(n * node.MinNormal[axis], n * node.MaxNormal[axis]);
-    least += std::min(low, high);
-    most += std::max(low, high);
+    minProduct += std::min(n * node.MinNormal[axis], n * node.MaxNormal[axis]);
+    minAlong += std::min(low, high);
+    maxAlong += std::max(low, high);
   }
-  const double farthest = std::max(-least, most);
-  return leastProduct < 0.0 && farthest * farthest >= SquaredCosine * squaredDistance;
+  const double farthest = std::max(-minAlong, maxAlong);
+  return minProduct < 0.0 && farthest * farthest >= SquaredCosine * squaredDistance;
 }
 
 //------------------------------------------------------------------------------
-double PartTree::ToFacing(Index point, const Vector3& normal, double limit) const
+double FragmentTree::DistanceToFacing(Index point, const Vector3& normal, double limit) const
 {
   const Vector3& p = this->Source.Points[point];
-  const Index part = this->Parts.OfPoint[point];
+  const Index fragment = this->Fragments.OfPoint[point];
   double squared = limit * limit;
   this->Walk(
     p, squared,
     [&](const Node& node, double squaredDistance)
     {
-      return node.FirstPart <= part && node.LastPart >= part &&
+      return node.MinFragment <= fragment && node.MaxFragment >= fragment &&
         MayFace(node, squaredDistance, p, normal);
     },
     [&](Index t)
@@ -241,7 +242,7 @@ double PartTree::ToFacing(Index point, const Vector3& normal, double limit) cons
       const Triangle& v = this->Source.Triangles[t];
       const bool isOwn = v[0] == point || v[1] == point || v[2] == point;
       const auto& [a, b, c] = this->CornersOf(t);
-      if (isOwn || this->PartOf(t) != part || Dot(AreaVector(a, b, c), normal) > 0.0)
+      if (isOwn || this->FragmentOf(t) != fragment || Dot(AreaVector(a, b, c), normal) > 0.0)
       {
         return;
       }
@@ -249,26 +250,27 @@ double PartTree::ToFacing(Index point, const Vector3& normal, double limit) cons
       if (Dot(frame.UnitNormal(), normal) < 0.0)
       {
         const Vector3 way = frame.At(frame.Nearest(p)) - p;
-        squared =
-          Face(normal, frame.UnitNormal(), way) ? std::min(squared, way.squaredNorm()) : squared;
+        squared = FaceEachOther(normal, frame.UnitNormal(), way)
+          ? std::min(squared, way.squaredNorm())
+          : squared;
       }
     });
   return std::sqrt(squared);
 }
 
 //------------------------------------------------------------------------------
-double PartTree::MinBetween(std::size_t leafA, std::size_t leafB, double squaredLimit) const
+double FragmentTree::MinBetween(std::size_t leafA, std::size_t leafB, double squaredLimit) const
 {
   for (Index a = this->FirstOf(leafA); a < this->FirstOf(leafA + 1); ++a)
   {
     for (Index b = this->FirstOf(leafB); b < this->FirstOf(leafB + 1); ++b)
     {
-      if (this->PartOf(a) != this->PartOf(b))
+      if (this->FragmentOf(a) != this->FragmentOf(b))
       {
         const TriangleCorners cornersA = this->CornersOf(a);
         const TriangleCorners cornersB = this->CornersOf(b);
         const bool meet = Meet(PlaneTriangle(cornersA), PlaneTriangle(cornersB));
-        const double squared = meet ? 0.0 : WayBetween(cornersA, cornersB).SquaredLength;
+        const double squared = meet ? 0.0 : ShortestConnection(cornersA, cornersB).SquaredLength;
         squaredLimit = std::min(squaredLimit, squared);
       }
     }
@@ -277,7 +279,7 @@ double PartTree::MinBetween(std::size_t leafA, std::size_t leafB, double squared
 }
 
 //------------------------------------------------------------------------------
-double PartTree::MinFragmentGap() const
+double FragmentTree::MinFragmentGap() const
 {
   double squared = Infinity;
   std::vector<std::array<std::size_t, 2>> open = { { 1, 1 } };
@@ -287,8 +289,9 @@ double PartTree::MinFragmentGap() const
     open.pop_back();
     const Node& nodeA = this->Nodes[a];
     const Node& nodeB = this->Nodes[b];
-    const bool isOnePart = nodeA.FirstPart == nodeB.LastPart && nodeA.LastPart == nodeB.FirstPart;
-    if (isOnePart || SquaredDistance(nodeA, nodeB) >= squared)
+    const bool isOneFragment =
+      nodeA.MinFragment == nodeB.MaxFragment && nodeA.MaxFragment == nodeB.MinFragment;
+    if (isOneFragment || SquaredDistance(nodeA, nodeB) >= squared)
     {
       continue;
     }
@@ -299,7 +302,7 @@ double PartTree::MinFragmentGap() const
     }
     std::array<std::array<std::size_t, 2>, 4> pairs = { { { 2 * a, 2 * b }, { 2 * a, 2 * b + 1 },
       { 2 * a + 1, 2 * b + 1 }, { 2 * a + 1, 2 * b } } };
-    const std::size_t count = a == b ? 3 : 4; // of one node with itself each pair once
+    const std::size_t count = a == b ? 3 : 4; // of a node with itself, each pair once
     std::sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count),
       [this](const auto& p, const auto& q)
       {

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file StartOfWalk.h
+ * @file VertexWalk.h
  * @brief Walks over the current mesh from a vertex of any constraint to the face nearest to a
  * point.
  */
-#ifndef BoneDecimate_Core_Proof_ErrorBound_StartOfWalk_h
-#define BoneDecimate_Core_Proof_ErrorBound_StartOfWalk_h
+#ifndef BoneDecimate_Core_Proof_ErrorBound_VertexWalk_h
+#define BoneDecimate_Core_Proof_ErrorBound_VertexWalk_h
 
 #include "Proof/Reference/SurfaceWalk.h"
 
@@ -14,12 +14,12 @@
 
 namespace bonedecimate
 {
-class StartOfWalk
+class VertexWalk
 {
 public:
-  explicit StartOfWalk(const HalfEdgeMesh& mesh)
+  explicit VertexWalk(const HalfEdgeMesh& mesh)
     : Mesh(mesh)
-    , FaceAt(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
+    , FaceAtVertex(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), None)
   {
     for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
     {
@@ -27,7 +27,7 @@ public:
       {
         for (const Index v : mesh.Corners(face))
         {
-          this->FaceAt[v] = face;
+          this->FaceAtVertex[v] = face;
         }
       }
     }
@@ -37,14 +37,12 @@ public:
   PointOnMesh FindNear(const Vector3& p, VertexId vertex) const
   {
     return this->Mesh.MovesFreely(vertex) ? WalkFromVertex(this->Mesh, p, vertex)
-                                          : WalkFrom(this->Mesh, p, this->FaceAt[vertex]);
+                                          : WalkFrom(this->Mesh, p, this->FaceAtVertex[vertex]);
   }
-  /// A face of the vertex.
-  FaceId FaceOf(VertexId vertex) const { return this->FaceAt[vertex]; }
 
 private:
   const HalfEdgeMesh& Mesh;
-  std::vector<Index> FaceAt;
+  std::vector<Index> FaceAtVertex;
 };
 }
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BackHints.h"
+#include "OriginalHints.h"
 
 #include "Base/Parallel.h"
 
 namespace bonedecimate
 {
-bool BackHints::Begin(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor)
+bool OriginalHints::Restart(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor)
 {
-  return ForEachChunk(this->OfVertex.size(), threads, monitor,
+  return ForEachChunk(this->TriangleOfVertex.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       for (VertexId v = static_cast<Index>(first); v < static_cast<Index>(last); ++v)
@@ -17,8 +17,8 @@ bool BackHints::Begin(const HalfEdgeMesh& mesh, int threads, const Monitor& moni
         {
           const FaceId start = this->Starts != nullptr
             ? FaceId((*this->Starts)[v])
-            : HalfEdgeMesh::Face(this->Source.Outgoing(v));
-          this->OfVertex[v] = WalkFrom(this->Source, mesh.Position(v), start).Face;
+            : HalfEdgeMesh::Face(this->OriginalMesh.Outgoing(v));
+          this->TriangleOfVertex[v] = WalkFrom(this->OriginalMesh, mesh.Position(v), start).Face;
         }
       }
     });
