@@ -164,7 +164,7 @@ std::vector<bool> BoundaryPlanes(const Line& line, const std::vector<Index>& cha
 /**
  * An upper bound: the number of sets of boundaries, with the first and the last change at its ends,
  * times the probability that all other changes lie on boundaries of one of them
- * (Documentation/model-grid.md).
+ * (Documentation/explanation/model-grid.md).
  */
 double ChanceOf(
   const std::vector<Index>& changes, const std::vector<bool>& isBoundary, double roundings)

@@ -11,7 +11,7 @@
  *     copy it back and compare: no voxel differs, or few do
  *
  * If not all changes are explained, the search is repeated without the layers with the fewest
- * changes. Documentation/model-grid.md says when a grid is claimed, and why.
+ * changes. Documentation/explanation/model-grid.md says when a grid is claimed, and why.
  */
 #ifndef BoneDecimate_Core_Labels_ModelGrid_ModelGrid_h
 #define BoneDecimate_Core_Labels_ModelGrid_ModelGrid_h

@@ -10,7 +10,7 @@
  *                  intersect others
  *
  * Beyond it lies another part of the surface: the other side of a thin plate or strut, or another
- * fragment. Documentation/error-bound.md has the consequences.
+ * fragment. Documentation/explanation/error-bound.md has the consequences.
  */
 #ifndef BoneDecimate_Core_Proof_Guard_Separation_h
 #define BoneDecimate_Core_Proof_Guard_Separation_h
