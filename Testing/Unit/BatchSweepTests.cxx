@@ -157,7 +157,7 @@ private:
 };
 
 /// Into the middle of the edge.
-bool Check(const Editor& editor, HalfEdgeId h, Workspace& space)
+bool Check(const Editor& editor, HalfEdgeId h, EditWorkspace& space)
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
   const Vector3 middle = 0.5 * (mesh.Position(mesh.Origin(h)) + mesh.Position(mesh.Target(h)));
@@ -207,8 +207,8 @@ TEST(BatchSweep, ErrorBoundAcceptsNoEditOfWhichAnotherOneHasChangedTheCoverage)
   for (const HalfEdgeId h : edges)
   {
     Editor editor(cleaned, Proving(1.0));
-    Workspace first;
-    Workspace second;
+    EditWorkspace first;
+    EditWorkspace second;
     if (!Check(editor, 0, first) || !Check(editor, h, second))
     {
       continue;

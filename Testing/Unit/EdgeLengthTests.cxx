@@ -41,7 +41,7 @@ double AreaOf(const HalfEdgeMesh& mesh) // mm^2
 /// Collapses edges of a plain mesh in order of their ids until that many faces are left.
 void CollapseTo(Editor& editor, Index faces)
 {
-  Workspace work;
+  EditWorkspace work;
   for (FaceId face = 0; face < editor.Mesh().NumberOfFaceSlots(); ++face)
   {
     for (Index k = 0; k < 3 && editor.Mesh().NumberOfFaces() > faces; ++k)
@@ -55,7 +55,7 @@ void CollapseTo(Editor& editor, Index faces)
         edit.Position = editor.Mesh().Position(edit.Keep);
         edit.KeepStays = true;
         editor.Try(edit, work);
-        editor.Settle(&work.Counted);
+        editor.Settle(&work.Counts);
       }
     }
   }
@@ -138,7 +138,7 @@ TEST(EdgeSplit, LeavesTheSurfaceWhereItIs)
     ASSERT_TRUE(editor.PrepareSplits());
     const double area = AreaOf(mesh);
     const Index before = mesh.NumberOfFaces();
-    Workspace work;
+    EditWorkspace work;
     int onBoundary = 0;
     for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
     {
@@ -147,7 +147,7 @@ TEST(EdgeSplit, LeavesTheSurfaceWhereItIs)
       {
         const bool isBoundary = mesh.Twin(h) == None;
         const bool isSplit = editor.Try(SplitAt(h, MiddleOf(mesh, h)), work).IsAccepted();
-        editor.Settle(&work.Counted);
+        editor.Settle(&work.Counts);
         onBoundary += isSplit && isBoundary ? 1 : 0;
         ASSERT_EQ(BrokenInvariant(mesh), "") << "face " << face;
       }
@@ -170,7 +170,7 @@ TEST(EdgeSplit, NeedsIdsOfRemovedVertices)
   settings.RecordsDistances = false;
   Editor editor(clean, settings);
   ASSERT_TRUE(editor.PrepareSplits());
-  Workspace work;
+  EditWorkspace work;
   const HalfEdgeMesh& mesh = editor.Mesh();
   EXPECT_EQ(editor.Try(SplitAt(0, MiddleOf(mesh, 0)), work), Rejection::Shape);
   EXPECT_EQ(mesh.NumberOfFaces(), mesh.NumberOfFaceSlots());
@@ -186,7 +186,7 @@ TEST(EdgeSplit, KeepsTheErrorBound)
   Editor editor(clean, settings);
   CollapseTo(editor, 900);
   ASSERT_TRUE(editor.PrepareSplits());
-  Workspace work;
+  EditWorkspace work;
   const HalfEdgeMesh& mesh = editor.Mesh();
   HalfEdgeId h = 0;
   while (!mesh.IsAlive(HalfEdgeMesh::Face(h)))
@@ -198,7 +198,7 @@ TEST(EdgeSplit, KeepsTheErrorBound)
   EXPECT_TRUE(editor.Try(SplitAt(h, middle + 2.0 * middle.normalized()), work).IsRejected());
   EXPECT_EQ(mesh.NumberOfFaces(), faces);
   EXPECT_TRUE(editor.Try(SplitAt(h, middle), work).IsAccepted());
-  editor.Settle(&work.Counted);
+  editor.Settle(&work.Counts);
   EXPECT_EQ(mesh.NumberOfFaces(), faces + 2);
   EXPECT_EQ(BrokenInvariant(mesh), "");
 }

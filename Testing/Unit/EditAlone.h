@@ -13,9 +13,9 @@ namespace bonedecimate
 {
 inline Decision GatherAlone(Editor& editor, HalfEdgeId edge)
 {
-  Workspace work;
+  EditWorkspace work;
   const Decision decision = editor.Gather(edge, work);
-  editor.Settle(&work.Counted);
+  editor.Settle(&work.Counts);
   return decision;
 }
 
@@ -35,9 +35,9 @@ bool MakeProvedDraft(Editor& editor, const Collapse& collapse)
 
 inline Decision TryAlone(Editor& editor, const Edit& edit)
 {
-  Workspace work;
+  EditWorkspace work;
   const Decision decision = editor.Try(edit, work);
-  editor.Settle(&work.Counted);
+  editor.Settle(&work.Counts);
   return decision;
 }
 }

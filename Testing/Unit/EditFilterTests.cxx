@@ -174,7 +174,7 @@ TEST_F(EditFilters, AreNotRunOnWhatTheRulesReject)
 
 TEST_F(EditFilters, DecideOnFlipsAndMovesToo)
 {
-  Workspace work;
+  EditWorkspace work;
   const Index vertex = this->MeshEditor->Mesh().Origin(0);
   const Vector3 position = 0.99 * this->MeshEditor->Mesh().Position(vertex);
   this->First->OfCheck = Rejection::ErrorBound;

@@ -45,7 +45,7 @@ public:
 
   void operator()(const Editor& editor, const Edit& edit)
   {
-    const Index gone = this->Before.Across(edit.Edge, edit.Keep);
+    const Index gone = this->Before.OtherEnd(edit.Edge, edit.Keep);
     this->CheckNewPosition(edit, gone);
     this->CheckFaces(editor.Mesh(), edit.Keep, gone);
     this->Before = editor.Mesh();

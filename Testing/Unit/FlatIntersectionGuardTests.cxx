@@ -114,7 +114,7 @@ TEST(FlatIntersectionGuard, ATipThatTouchesAPlateDoesNotGoThroughIt)
   Editor editor(clean, settings);
   const Vector3 tip = editor.Mesh().Position(0);
   ASSERT_EQ(tip + clean.Origin, cone.Points[0]);
-  Workspace work;
+  EditWorkspace work;
   EXPECT_EQ(editor.Try(MoveTo(0, tip + Vector3(0.0, 0.0, 0.1)), work), Rejection::Intersection);
   EXPECT_TRUE(editor.Try(MoveTo(0, tip - Vector3(0.0, 0.0, 0.1)), work).IsAccepted());
 }
@@ -163,7 +163,7 @@ TEST(FlatIntersectionGuard, DecidesForTheCoordinatesThatAreWritten)
   EditorSettings settings = GuardingNoGaps();
   settings.Input = &input;
   Editor editor(clean, settings);
-  Workspace work;
+  EditWorkspace work;
   const std::vector<Vector3>& local = clean.Surface.Points;
   const OrientedPlane localRoof(local[4], local[5], local[6]);
   const OrientedPlane roof(input.Points[4], input.Points[5], input.Points[6]);
@@ -194,7 +194,7 @@ TEST(FlatIntersectionGuard, DecidesForPointsThatNeverMoveAsTheyAreRounded)
   settings.Bound->Rounding.ToSingle = true;
   settings.Bound->Origin = clean.Origin;
   Editor editor(clean, settings);
-  Workspace work;
+  EditWorkspace work;
   const OrientedPlane ofInput(input.Points[4], input.Points[5], input.Points[6]);
   const OrientedPlane asWritten(RoundedToSingle(input.Points[4]), RoundedToSingle(input.Points[5]),
     RoundedToSingle(input.Points[6]));
@@ -226,7 +226,7 @@ TEST(FlatIntersectionGuard, APairThatIntersectsAllowsNoOtherOne)
   ASSERT_EQ(CountCrossings(input), 1);
   const CleanSurface clean = Clean(input, true);
   Editor editor(clean, GuardingNoGaps());
-  Workspace work;
+  EditWorkspace work;
   const Vector3 tip = editor.Mesh().Position(0);
   EXPECT_EQ(editor.Try(MoveTo(0, tip + Vector3(0.0, 0.0, 1.0)), work), Rejection::Intersection);
   EXPECT_TRUE(editor.Try(MoveTo(0, tip + Vector3(0.0, 0.0, 0.9)), work).IsAccepted());

@@ -29,12 +29,12 @@ void ForEachFound(Bench& bench, double farthest, const Use& use)
   SlackCandidates(bench.MeshEditor, bench.Fit, bench.Back, farthest, 1).Find(Always, candidates);
   std::sort(candidates.begin(), candidates.end());
   PatchFit patch(bench.MeshEditor, bench.Fit, bench.Back, 1);
-  Workspace work;
+  EditWorkspace work;
   for (const SlackCandidate& candidate : candidates)
   {
     if (candidate.Ratio > 1.0 && bench.MeshEditor.Gather(candidate.Edge, work).IsAccepted())
     {
-      const PatchFit::Result found = patch.Fit(work.Around, candidate);
+      const PatchFit::Result found = patch.Fit(work.Neighborhood, candidate);
       if (found.IsWithin && !found.Nearby.Moves.empty() && !use(candidate, found))
       {
         return;
@@ -60,7 +60,7 @@ TEST(CollapseAndMove, IsProvedAsAWhole)
   ForEachFound(bench, 1.4,
     [&](const SlackCandidate& candidate, const PatchFit::Result& found)
     {
-      Workspace work;
+      EditWorkspace work;
       const Index faces = bench.Mesh().NumberOfFaces();
       if (bench.MeshEditor.Try(EditOf(candidate, found.Position), found.Nearby, work).IsAccepted())
       {
@@ -82,7 +82,7 @@ TEST(CollapseAndMove, LeavesEveryByteIfItIsRejected)
   ForEachFound(bench, 1.4,
     [&](const SlackCandidate& candidate, const PatchFit::Result& found)
     {
-      Workspace work;
+      EditWorkspace work;
       NearbyEdits tooFar = found.Nearby;
       tooFar.Moves.back().Position *= 1.05; // more than the limit away
       const Decision farMove =
@@ -106,7 +106,7 @@ TEST(CollapseAndMove, NeedsTheFlipsOfThePatch)
   ForEachFound(bench, 1.5,
     [&](const SlackCandidate& candidate, const PatchFit::Result& found)
     {
-      Workspace work;
+      EditWorkspace work;
       const Edit edit = EditOf(candidate, found.Position);
       if (found.Nearby.Flips.empty() ||
         bench.MeshEditor.Try(edit, { found.Nearby.Moves, {} }, work).IsAccepted())

@@ -158,7 +158,7 @@ TEST(GapsOfADraft, AreNotAllowedByThoseThatTheDraftHasNarrowed)
 namespace
 {
 /// To its target.
-bool CheckToTarget(const Editor& editor, HalfEdgeId h, Workspace& space)
+bool CheckToTarget(const Editor& editor, HalfEdgeId h, EditWorkspace& space)
 {
   const HalfEdgeMesh& mesh = editor.Mesh();
   const VertexId target = mesh.Target(h);
@@ -181,8 +181,8 @@ bool IsStillAccepted(bool hasGap)
   CleanSurface clean = Clean(Together(Together(Grid(8), wide), speck), true);
   SplitIntoManifoldPatches(clean);
   Editor editor(clean, Guarded(0.2));
-  Workspace here;
-  Workspace there;
+  EditWorkspace here;
+  EditWorkspace there;
   const Vector3 common(8.0, 4.0, 0.0);
   EXPECT_TRUE(CheckToTarget(editor, EdgeAt(editor, clean, { 7.0, 4.0, 0.0 }, common), here));
   EXPECT_TRUE(

@@ -159,7 +159,7 @@ TEST(HalfEdgeMesh, RingsVisitEveryFaceAndEveryNeighborOnce)
         foundFaces.insert(HalfEdgeMesh::Face(h));
       }
       std::multiset<Index> foundNeighbors = { v };
-      mesh.VisitEdges(v, [&](Index h) { foundNeighbors.insert(mesh.Across(h, v)); });
+      mesh.VisitEdges(v, [&](Index h) { foundNeighbors.insert(mesh.OtherEnd(h, v)); });
       EXPECT_EQ(foundFaces, faces[v]) << v;
       EXPECT_EQ(foundNeighbors, std::multiset<Index>(neighbors[v].begin(), neighbors[v].end()))
         << v;

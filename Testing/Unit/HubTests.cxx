@@ -151,7 +151,7 @@ TEST(Hub, AHubDoesNotMoveAndNoFlipJoinsTwo)
   const CleanSurface cleaned = Clean(TwoFans(sides, Radius, 5.0), true);
   Editor editor(cleaned, EditorSettings());
   const HalfEdgeMesh& mesh = editor.Mesh();
-  Workspace work;
+  EditWorkspace work;
   for (const Index h : HalfEdges(mesh))
   {
     const VertexId v = mesh.Origin(h);

@@ -66,7 +66,7 @@ void ExpectReferenceBits(const EdgeBatch& batch, const Kernels& kernels)
     EXPECT_PRED2(AreSame<float>, found.Moves[2][i], expected.Move.Z)
       << kernels.Name << ", lane " << i;
   }
-  EXPECT_PRED2(AreSame<float>, found.Least, least) << kernels.Name;
+  EXPECT_PRED2(AreSame<float>, found.MinCost, least) << kernels.Name;
 }
 
 void ExpectReferenceBitsInAllSets(const EdgeBatch& batch)
@@ -166,7 +166,7 @@ TEST_P(KernelReferences, GiveTheBitsOfCostAndPositionOfEveryEdge)
       EdgeBatch batch = EmptyBatch();
       batch.First = &mesh.Record(v);
       batch.PerUnit = 1.0 / mesh.Unit();
-      batch.CostFactor = CostNormalization(mesh.LengthAtFirst() / mesh.Unit());
+      batch.CostFactor = CostNormalization(mesh.InitialEdgeLength() / mesh.Unit());
       mesh.VisitEdges(v,
         [&](Index h)
         {
@@ -174,8 +174,8 @@ TEST_P(KernelReferences, GiveTheBitsOfCostAndPositionOfEveryEdge)
           {
             const Freedom freedom =
               Freedoms[(static_cast<std::size_t>(batch.Count) + shift) % Freedoms.size()];
-            AddEdge(
-              batch, mesh.Record(mesh.Across(h, v)), freedom, static_cast<float>(random.Uniform()));
+            AddEdge(batch, mesh.Record(mesh.OtherEnd(h, v)), freedom,
+              static_cast<float>(random.Uniform()));
           }
         });
       ExpectReferenceBitsInAllSets(batch);
@@ -189,22 +189,22 @@ TEST_P(KernelReferences, GiveTheBitsOfTheAccumulatedError)
   Editor editor(cleaned, EditorSettings{ false, false, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   Random random(5);
-  Workspace work;
+  EditWorkspace work;
   for (const Index edge : HalfEdges(mesh, 3))
   {
     if (editor.Gather(edge, work) != Rejection::NotRejected)
     {
       continue;
     }
-    const Vector3 start = mesh.Position(work.Around.Start);
-    const Vector3 along = mesh.Position(work.Around.End) - start;
+    const Vector3 start = mesh.Position(work.Neighborhood.Start);
+    const Vector3 along = mesh.Position(work.Neighborhood.End) - start;
     const Vector3 merged = 0.5 * along + random.InCube(along.norm());
-    Fan& fan = work.Faces.Current();
+    Fan& fan = work.FanArrays.Current();
     std::copy_n(merged.data(), 3, fan.Position);
     const double expected = AccumulatedError(EdgeOf(fan), 0.5, 0.25);
     for (const Kernels* kernels : AvailableKernels())
     {
-      EXPECT_PRED2(AreSame<double>, kernels->LeaveBehind(fan, 0.5, 0.25), expected)
+      EXPECT_PRED2(AreSame<double>, kernels->AccumulateError(fan, 0.5, 0.25), expected)
         << kernels->Name << " at half-edge " << edge;
     }
   }

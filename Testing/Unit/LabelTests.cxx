@@ -30,8 +30,9 @@ TEST(PatchBoundaries, AreTheEdgesBetweenPatches)
   Index rings = 0;
   for (Index index = 0; index < lines.NumberOfPositions(); ++index)
   {
-    rings += lines.MayGo(index) ? 0 : 1;
-    EXPECT_TRUE(!lines.MayGo(index) || PatchBoundaryRunsThrough(mesh, lines.OriginalVertex(index)));
+    rings += lines.IsRemovable(index) ? 0 : 1;
+    EXPECT_TRUE(
+      !lines.IsRemovable(index) || IsInsidePatchBoundary(mesh, lines.OriginalVertex(index)));
   }
   EXPECT_EQ(rings, 2) << "one ring, which starts and ends at one original vertex";
 }
@@ -48,7 +49,7 @@ TEST(PatchBoundaries, DeviationIsThatOfTheFarthestRemovedVertex)
   std::multiset<double> deviations;
   for (Index index = 0; index < lines.NumberOfPositions(); ++index)
   {
-    if (lines.MayGo(index))
+    if (lines.IsRemovable(index))
     {
       deviations.insert(std::round(1000.0 * lines.Deviation(mesh, index, anything)));
     }

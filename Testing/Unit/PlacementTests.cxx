@@ -72,8 +72,8 @@ struct Bench
     {
       add(HalfEdgeMesh::Face(corner), this->Mesh.Origin(corner));
     }
-    add(around.GoneFaces[0], around.Start);
-    add(around.GoneFaces[1], around.Start);
+    add(around.RemovedFaces[0], around.Start);
+    add(around.RemovedFaces[1], around.Start);
     return sum + 1e-3 * planes / 3.0 * (position - middle).squaredNorm();
   }
 

@@ -53,8 +53,8 @@ struct Bench
     for (const HalfEdgeId h : this->Mesh().OutgoingOf(vertex))
     {
       slack.AddSamples(HalfEdgeMesh::Face(h), faces.size());
-      slack.AddFace(this->Mesh().Position(this->Mesh().Target(h)),
-        this->Mesh().Position(this->Mesh().Origin(HalfEdgeMesh::Previous(h))));
+      slack.AddFace(
+        this->Mesh().Position(this->Mesh().Target(h)), this->Mesh().Position(this->Mesh().Apex(h)));
       faces.push_back(HalfEdgeMesh::Face(h));
     }
     return faces;

@@ -61,12 +61,12 @@ TEST(SlackCandidates, RatiosDoNotDependOnTheFacesWhereSamplesWereBefore)
   SlackCandidates(bench.MeshEditor, bench.Fit, bench.Back, 1.4, 1).Find(Always, candidates);
   EXPECT_GT(candidates.size(), 100U);
   SlackFit slack(bench.MeshEditor, bench.Fit, bench.Back);
-  Workspace work;
+  EditWorkspace work;
   for (const SlackCandidate& candidate : candidates)
   {
     EXPECT_TRUE(bench.MeshEditor.Gather(candidate.Edge, work).IsAccepted());
-    SlackCandidates::Gather(bench.Mesh(), work.Around, slack);
-    EXPECT_NEAR(slack.Evaluate(candidate.Position, candidate.Hint).Largest, candidate.Ratio, 1e-6);
+    SlackCandidates::Gather(bench.Mesh(), work.Neighborhood, slack);
+    EXPECT_NEAR(slack.Evaluate(candidate.Position, candidate.Hint).MaxRatio, candidate.Ratio, 1e-6);
   }
 }
 
@@ -77,7 +77,7 @@ TEST(SlackFit, MeasuresSamplesAsBruteForceDoes)
   const VertexId vertex = bench.FirstVertex();
   const std::vector<FaceId> faces = bench.Gather(vertex, slack);
   const Vector3 position = 0.95 * bench.Mesh().Position(vertex);
-  const double found = slack.MaxOfSamples(position, 1e9);
+  const double found = slack.MaxRatioOfSamples(position, 1e9);
   double expected = 0.0; // limits
   for (const FaceId face : faces)
   {
@@ -88,7 +88,7 @@ TEST(SlackFit, MeasuresSamplesAsBruteForceDoes)
         for (const HalfEdgeId h : bench.Mesh().OutgoingOf(vertex))
         {
           const TriangleFrame frame(position, bench.Mesh().Position(bench.Mesh().Target(h)),
-            bench.Mesh().Position(bench.Mesh().Origin(HalfEdgeMesh::Previous(h))));
+            bench.Mesh().Position(bench.Mesh().Apex(h)));
           least = std::min(
             least, std::sqrt(frame.Nearest(bench.Fit.SamplePosition(sample)).SquaredDistance));
         }
@@ -106,11 +106,11 @@ TEST(SlackFit, StepsLowerTheLargestDistance)
   const VertexId vertex = bench.FirstVertex();
   bench.Gather(vertex, slack);
   Vector3 position = 1.06 * bench.Mesh().Position(vertex);
-  const double before = slack.Evaluate(position, bench.Back.Of(vertex)).Largest;
+  const double before = slack.Evaluate(position, bench.Back.Of(vertex)).MaxRatio;
   EXPECT_GT(before, 1.9); // the vertex itself
   const SlackFit::Value after = slack.Improve(position, bench.Back.Of(vertex), 8);
-  EXPECT_LT(after.Largest, 1.01);
-  EXPECT_NEAR(slack.Evaluate(position, after.Hint).Largest, after.Largest, 1e-9);
+  EXPECT_LT(after.MaxRatio, 1.01);
+  EXPECT_NEAR(slack.Evaluate(position, after.Hint).MaxRatio, after.MaxRatio, 1e-9);
 }
 
 TEST(SlackFit, GivesUpAtTheErrorThatIsEnough)

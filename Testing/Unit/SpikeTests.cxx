@@ -106,12 +106,12 @@ struct AroundEdge
     for (const Index h : around.Corners)
     {
       add(HalfEdgeMesh::Face(h));
-      this->After.push_back({ position, mesh.Position(mesh.Target(h)),
-        mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h))) });
+      this->After.push_back(
+        { position, mesh.Position(mesh.Target(h)), mesh.Position(mesh.Apex(h)) });
     }
-    for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
+    for (Index i = 0; i < around.NumberOfRemovedFaces; ++i)
     {
-      add(around.GoneFaces[static_cast<std::size_t>(i)]);
+      add(around.RemovedFaces[static_cast<std::size_t>(i)]);
     }
   }
   std::vector<std::array<Vector3, 3>> Before, After;
@@ -128,27 +128,27 @@ TEST_P(LeftBehind, IsTheLargestOfBothEndsToTheNewFanAndOfThePositionToTheOldOne)
   Editor editor(cleaned, EditorSettings{ false, false, true });
   const HalfEdgeMesh& mesh = editor.Mesh();
   Random random(5);
-  Workspace work;
+  EditWorkspace work;
   for (const Index edge : HalfEdges(mesh, 7))
   {
     if (!editor.Gather(edge, work).IsAccepted())
     {
       continue;
     }
-    const Vector3 start = mesh.Position(work.Around.Start);
-    const Vector3 end = mesh.Position(work.Around.End);
+    const Vector3 start = mesh.Position(work.Neighborhood.Start);
+    const Vector3 end = mesh.Position(work.Neighborhood.End);
     const Vector3 position = 0.5 * (start + end) + random.InCube((end - start).norm());
-    Fan& fan = work.Faces.Current();
+    Fan& fan = work.FanArrays.Current();
     for (int k = 0; k < 3; ++k)
     {
       fan.Position[k] = position[k] - start[k];
     }
-    const AroundEdge faces(mesh, work.Around, position);
+    const AroundEdge faces(mesh, work.Neighborhood, position);
     const double expected = std::max({ 0.5 + DistanceTo(faces.After, start),
       0.25 + DistanceTo(faces.After, end), 0.5 + DistanceTo(faces.Before, position) });
     for (const Kernels* kernels : AvailableKernels())
     {
-      EXPECT_NEAR(kernels->LeaveBehind(fan, 0.5, 0.25), expected, 1e-9 * (1.0 + expected))
+      EXPECT_NEAR(kernels->AccumulateError(fan, 0.5, 0.25), expected, 1e-9 * (1.0 + expected))
         << kernels->Name << " at half-edge " << edge;
     }
   }

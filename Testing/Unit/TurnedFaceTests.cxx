@@ -20,7 +20,7 @@ namespace
 /// First normals are kept within a hundredth of a degree.
 constexpr double Rounding = 2e-4;
 /// First areas are kept within a hundredth.
-constexpr double LeastGrowth = 0.99 * HalfEdgeMesh::GrowthOfFreeFace;
+constexpr double LeastGrowth = 0.99 * HalfEdgeMesh::MaxAreaGrowth;
 
 /// Along the normal.
 Vector3 AreaOf(const std::vector<Vector3>& points, const Triangle& t)
@@ -65,7 +65,7 @@ struct Swing
     for (this->Edge = 0; !this->IsInside(mesh); ++this->Edge)
     {
     }
-    this->V = mesh.Origin(HalfEdgeMesh::Previous(this->Edge));
+    this->V = mesh.Apex(this->Edge);
     const Vector3& p = mesh.Position(mesh.Origin(this->Edge));
     this->Along = (mesh.Position(mesh.Target(this->Edge)) - p).normalized();
     const Vector3 arm = mesh.Position(this->V) - p;
@@ -75,7 +75,7 @@ struct Swing
   bool IsInside(const HalfEdgeMesh& mesh) const
   {
     return (this->Edge & 3) != 3 &&
-      mesh.Constraint(mesh.Origin(HalfEdgeMesh::Previous(this->Edge))) == VertexConstraint::Free;
+      mesh.Constraint(mesh.Apex(this->Edge)) == VertexConstraint::Free;
   }
   Vector3 By(double degrees) const
   {
@@ -117,7 +117,7 @@ TEST(EditValidity, SmallRotationsCannotAccumulate)
   const CleanSurface cleaned = Clean(FlatPlate(6), true);
   Editor editor(cleaned, EditorSettings{ false, false, false });
   editor.PrepareCollapses(1);
-  Workspace work;
+  EditWorkspace work;
   const Swing swing(editor.Mesh());
   EXPECT_EQ(editor.Try(MoveTo(swing.V, swing.By(30.0)), work), Rejection::NotRejected);
   EXPECT_EQ(editor.Try(MoveTo(swing.V, swing.By(60.0)), work), Rejection::NotRejected);
@@ -132,7 +132,7 @@ TEST(EditValidity, TriangleThatHasGrownMayTurnFarther)
   const CleanSurface cleaned = Clean(FlatPlate(6), true);
   Editor editor(cleaned, EditorSettings{ false, false, false });
   editor.PrepareCollapses(1);
-  Workspace work;
+  EditWorkspace work;
   const Swing swing(editor.Mesh());
   const FaceId face = HalfEdgeMesh::Face(swing.Edge);
   const Vector3 area = AreaOf(cleaned.Surface.Points, editor.Mesh().Corners(face));

@@ -19,20 +19,23 @@ class ChunkedArray
 {
 public:
   std::size_t Size() const { return this->Count; }
-  T& operator[](std::size_t i) { return this->Chunks[i / OfChunk][i % OfChunk]; }
-  const T& operator[](std::size_t i) const { return this->Chunks[i / OfChunk][i % OfChunk]; }
+  T& operator[](std::size_t i) { return this->Chunks[i / RecordsPerChunk][i % RecordsPerChunk]; }
+  const T& operator[](std::size_t i) const
+  {
+    return this->Chunks[i / RecordsPerChunk][i % RecordsPerChunk];
+  }
 
   void PushBack(const T& record)
   {
-    if (this->Count == OfChunk * this->Chunks.size())
+    if (this->Count == RecordsPerChunk * this->Chunks.size())
     {
-      this->Chunks.push_back(std::make_unique<T[]>(OfChunk));
+      this->Chunks.push_back(std::make_unique<T[]>(RecordsPerChunk));
     }
     (*this)[this->Count++] = record;
   }
 
 private:
-  static constexpr std::size_t OfChunk = 1 << 12;
+  static constexpr std::size_t RecordsPerChunk = 1 << 12;
 
   std::vector<std::unique_ptr<T[]>> Chunks;
   std::size_t Count = 0;

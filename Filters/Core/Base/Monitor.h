@@ -24,6 +24,15 @@ inline Monitor PartOf(Monitor monitor, double from, double to)
   return [monitor = std::move(monitor), from, to](double done)
   { return monitor(from + done * (to - from)); };
 }
+
+/// The part of one of several equal steps.
+template <typename Number, typename Count>
+Monitor StepOf(Monitor monitor, Number step, Count count)
+{
+  const auto steps = static_cast<double>(count);
+  return PartOf(std::move(monitor), static_cast<double>(step) / steps,
+    (static_cast<double>(step) + 1.0) / steps);
+}
 }
 
 #endif

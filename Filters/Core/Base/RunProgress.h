@@ -26,30 +26,30 @@ public:
   {
     return [this, from, to](double fraction)
     {
-      this->Tell(from + fraction * (to - from));
-      return this->Going;
+      this->Report(from + fraction * (to - from));
+      return this->IsRunning;
     };
   }
 
-  bool GoesOn() const { return this->Going; }
+  bool ShouldContinue() const { return this->IsRunning; }
 
 private:
   /// Calls the outer monitor for every hundredth even if a stage reports a larger step.
-  void Tell(double fraction)
+  void Report(double fraction)
   {
     constexpr double hundredth = 0.01;
-    while (this->Outer && this->Going && this->Told + hundredth < fraction)
+    while (this->Outer && this->IsRunning && this->Reported + hundredth < fraction)
     {
-      this->Told += hundredth;
-      this->Going = this->Outer(this->Told);
+      this->Reported += hundredth;
+      this->IsRunning = this->Outer(this->Reported);
     }
-    this->Told = fraction;
-    this->Going = this->Going && (!this->Outer || this->Outer(fraction));
+    this->Reported = fraction;
+    this->IsRunning = this->IsRunning && (!this->Outer || this->Outer(fraction));
   }
 
   const Monitor& Outer;
-  bool Going = true;
-  double Told = 0.0;
+  bool IsRunning = true;
+  double Reported = 0.0;
 };
 }
 

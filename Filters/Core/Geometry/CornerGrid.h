@@ -44,13 +44,13 @@ public:
 
   /// A corner of the box for which the predicate holds; None if there is none.
   template <typename Predicate>
-  Index Find(const Position& least, const Position& most, const Predicate& isFound) const
+  Index Find(const Position& low, const Position& high, const Predicate& isFound) const
   {
-    const std::size_t lastRow = this->CellOf(1, most[1]);
-    const std::size_t lastColumn = this->CellOf(0, most[0]);
-    for (std::size_t row = this->CellOf(1, least[1]); row <= lastRow; ++row)
+    const std::size_t lastRow = this->CellOf(1, high[1]);
+    const std::size_t lastColumn = this->CellOf(0, high[0]);
+    for (std::size_t row = this->CellOf(1, low[1]); row <= lastRow; ++row)
     {
-      for (std::size_t column = this->CellOf(0, least[0]); column <= lastColumn; ++column)
+      for (std::size_t column = this->CellOf(0, low[0]); column <= lastColumn; ++column)
       {
         const std::vector<std::size_t>& cell = this->Cells[row * this->CellsAlong + column];
         const auto found = std::find_if(cell.begin(), cell.end(), isFound);

@@ -21,7 +21,7 @@
 namespace bonedecimate
 {
 /// Other surfaces from which a distance is kept.
-struct Neighborhood
+struct NeighborSurfaces
 {
   std::shared_ptr<const BoundingTree> Others; ///< Null: none.
   double Distance = 0.0;                      ///< mm

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace bonedecimate
 {
@@ -74,7 +73,7 @@ struct OrientedBox
     constexpr double least = 1e-30;
     const Vector3 at = this->Coordinates(from);
     double enters = 0.0;
-    double leaves = std::numeric_limits<double>::infinity();
+    double leaves = Infinity;
     for (std::size_t i = 0; i < 3; ++i)
     {
       const double along = std::copysign(
@@ -84,7 +83,7 @@ struct OrientedBox
       enters = std::max(enters, middle - half);
       leaves = std::min(leaves, middle + half);
     }
-    return enters <= leaves ? enters : std::numeric_limits<double>::infinity();
+    return enters <= leaves ? enters : Infinity;
   }
 };
 }

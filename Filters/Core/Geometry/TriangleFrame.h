@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace bonedecimate
 {
@@ -26,7 +25,7 @@ public:
   /// A point of the triangle with corners a, b, c: a + B (b - a) + C (c - a).
   struct Point
   {
-    double SquaredDistance = std::numeric_limits<double>::infinity(); // mm^2
+    double SquaredDistance = Infinity; // mm^2
     double B = 0.0;
     double C = 0.0;
     /// Bit 0, 1, 2: the weight of corner a, b, c is zero because the point lies on the opposite

@@ -243,7 +243,7 @@ EdgeCounts EdgeMatching::CountEdges() const
       }
       return part;
     });
-  counts.Edges += counts.Boundary + counts.HalfPairs / 2;
+  counts.Edges += counts.Boundary + counts.PairedHalfEdges / 2;
   return counts;
 }
 
@@ -254,7 +254,7 @@ void EdgeMatching::CountEdgesOf(Index triangle, EdgeCounts& counts) const
   {
     const Index h = 4 * triangle + k;
     const Index twin = this->TwinOf[static_cast<std::size_t>(h)];
-    counts.HalfPairs += twin >= 0 ? 1 : 0;
+    counts.PairedHalfEdges += twin >= 0 ? 1 : 0;
     counts.Boundary += twin == None ? 1 : 0;
     const Index origin =
       this->Triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(k)];

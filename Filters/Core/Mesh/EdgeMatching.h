@@ -32,16 +32,16 @@ constexpr Index OddEdge = -2;
 struct EdgeCounts
 {
   std::int64_t Edges = 0;
-  std::int64_t Boundary = 0;    ///< Edges of exactly one triangle.
-  std::int64_t NonManifold = 0; ///< Edges of three or more triangles.
-  std::int64_t HalfPairs = 0;   ///< Number of half-edges with a twin; fewer after CutBetween.
+  std::int64_t Boundary = 0;        ///< Edges of exactly one triangle.
+  std::int64_t NonManifold = 0;     ///< Edges of three or more triangles.
+  std::int64_t PairedHalfEdges = 0; ///< Number of half-edges with a twin; fewer after CutBetween.
 
   EdgeCounts& operator+=(const EdgeCounts& other)
   {
     this->Edges += other.Edges;
     this->Boundary += other.Boundary;
     this->NonManifold += other.NonManifold;
-    this->HalfPairs += other.HalfPairs;
+    this->PairedHalfEdges += other.PairedHalfEdges;
     return *this;
   }
 };

@@ -33,11 +33,10 @@ bool EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
   this->Edge = edge;
   this->Start = mesh.Origin(edge);
   this->End = mesh.Target(edge);
-  this->NumberOfGoneFaces = twin == None ? 1 : 2;
-  this->GoneFaces = { HalfEdgeMesh::Face(edge),
+  this->NumberOfRemovedFaces = twin == None ? 1 : 2;
+  this->RemovedFaces = { HalfEdgeMesh::Face(edge),
     twin == None ? FaceId() : HalfEdgeMesh::Face(twin) };
-  this->Apexes = { mesh.Origin(HalfEdgeMesh::Previous(edge)),
-    twin == None ? VertexId() : mesh.Origin(HalfEdgeMesh::Previous(twin)) };
+  this->Apexes = { mesh.Apex(edge), twin == None ? VertexId() : mesh.Apex(twin) };
   FetchFacesOfEnd(mesh, edge, twin);
   this->Corners.clear();
   this->Ring.clear();
@@ -52,7 +51,7 @@ bool EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
   do
   {
     const FaceId face = HalfEdgeMesh::Face(out);
-    if (face == this->GoneFaces[0] || face == this->GoneFaces[1])
+    if (face == this->RemovedFaces[0] || face == this->RemovedFaces[1])
     {
       last = HalfEdgeMesh::Next(out); // continue at the other end of the edge
     }
@@ -92,8 +91,8 @@ std::vector<Index> EdgeNeighborhood::Faces() const
 {
   std::vector<Index> faces(this->Corners.size());
   std::transform(this->Corners.begin(), this->Corners.end(), faces.begin(), HalfEdgeMesh::Face);
-  faces.insert(
-    faces.end(), this->GoneFaces.begin(), this->GoneFaces.begin() + this->NumberOfGoneFaces);
+  faces.insert(faces.end(), this->RemovedFaces.begin(),
+    this->RemovedFaces.begin() + this->NumberOfRemovedFaces);
   return faces;
 }
 
@@ -120,5 +119,12 @@ bool EdgeNeighborhood::RingIsSimple() const
     }
   }
   return !isMet;
+}
+
+//------------------------------------------------------------------------------
+std::size_t EdgeNeighborhood::SlotAtApex(std::size_t k) const
+{
+  const auto apex = std::find(this->Ring.begin(), this->Ring.end(), this->Apexes[k]);
+  return static_cast<std::size_t>(apex - this->Ring.begin()) % this->Corners.size();
 }
 }

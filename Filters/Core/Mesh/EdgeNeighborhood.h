@@ -27,16 +27,16 @@ struct EdgeNeighborhood
   HalfEdgeId Edge; ///< The half-edge from Start to End.
   VertexId Start;
   VertexId End;
-  std::array<FaceId, 2> GoneFaces;
+  std::array<FaceId, 2> RemovedFaces;
   std::array<VertexId, 2> Apexes;
-  Index NumberOfGoneFaces = 0; ///< 1 on a boundary, else 2.
-  std::vector<Index> Corners;  ///< Half-edges of remaining faces whose origin is Start or End.
-  std::vector<Index> Ring;     ///< The link of the edge, in the same order.
+  Index NumberOfRemovedFaces = 0; ///< 1 on a boundary, else 2.
+  std::vector<Index> Corners;     ///< Half-edges of remaining faces whose origin is Start or End.
+  std::vector<Index> Ring;        ///< The link of the edge, in the same order.
   bool IsOpen = false; ///< Whether the ring does not close because an end lies on a boundary.
   /// On an open ring: the ends to which the boundary edges of its first and last vertex lead.
   std::array<VertexId, 2> BoundaryEnds;
 
-  bool IsBoundaryEdge() const { return this->NumberOfGoneFaces == 1; }
+  bool IsBoundaryEdge() const { return this->NumberOfRemovedFaces == 1; }
   /// The faces of Corners, then those that are removed.
   std::vector<Index> Faces() const;
 
@@ -47,6 +47,11 @@ struct EdgeNeighborhood
 
   /// The link condition: no vertex occurs twice on the ring, and no end lies on it.
   bool RingIsSimple() const;
+
+  /// The vertex after Ring[i]. A closed ring continues with its first vertex.
+  Index RingAfter(std::size_t i) const { return this->Ring[(i + 1) % this->Ring.size()]; }
+  /// The index in Corners of a remaining face at the apex of the k-th removed face.
+  std::size_t SlotAtApex(std::size_t k) const;
 };
 
 /// Whether the vertex has so many faces that none of its edges can be collapsed: more than

@@ -34,9 +34,8 @@ public:
 
   void Update(const HalfEdgeMesh& mesh, FaceId face)
   {
-    const Triangle c = mesh.Corners(face);
-    const Vector3 vector =
-      AreaVector(mesh.Position(c[0]), mesh.Position(c[1]), mesh.Position(c[2]));
+    const auto [a, b, c] = PositionsOf(mesh, face);
+    const Vector3 vector = AreaVector(a, b, c);
     const double area = vector.norm();
     this->Faces[face] = { area > 0.0 ? Vector3(vector / area) : Vector3(Vector3::Zero()), area };
   }

@@ -15,7 +15,7 @@ FreeSlots::FreeSlots(const std::vector<char>& isFree)
     const bool stays = isEnd || isFree[static_cast<std::size_t>(at) - 1] != 0;
     this->Upward[static_cast<std::size_t>(at)] = stays ? at : at + 1;
     this->Downward[static_cast<std::size_t>(at)] = stays ? at : at - 1;
-    this->Left += stays && !isEnd ? 1 : 0;
+    this->Remaining += stays && !isEnd ? 1 : 0;
   }
 }
 
@@ -55,7 +55,7 @@ void FreeSlots::Take(Index id)
   const auto at = static_cast<std::size_t>(id) + 1;
   this->Upward[at] = id + 2;
   this->Downward[at] = id;
-  --this->Left;
+  --this->Remaining;
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ public:
   /// @param isFree For each id.
   explicit FreeSlots(const std::vector<char>& isFree);
 
-  Index Count() const { return this->Left; }
+  Index Count() const { return this->Remaining; }
   /// The one nearest to that id, the lower of two, but not `except`; None if there is none left.
   Index FindNearest(Index id, Index except = None);
   void Take(Index id);
@@ -36,7 +36,7 @@ private:
   // always are.
   std::vector<Index> Upward;
   std::vector<Index> Downward;
-  Index Left = 0;
+  Index Remaining = 0;
 };
 
 /// The removed vertices of the mesh without duplicates.

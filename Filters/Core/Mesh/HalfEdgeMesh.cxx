@@ -125,7 +125,7 @@ void HalfEdgeMesh::Collapse(const EdgeNeighborhood& around, VertexId keep, const
 }
 
 //------------------------------------------------------------------------------
-void HalfEdgeMesh::PackFirstNormal(FaceRecord& record, const Vector3& area)
+void HalfEdgeMesh::PackInitialNormal(FaceRecord& record, const Vector3& area)
 {
   const double scale = 32767.0 / area.cwiseAbs().maxCoeff();
   const bool hasDirection = std::isfinite(scale) && area.allFinite();
@@ -142,7 +142,7 @@ void HalfEdgeMesh::PackFirstNormal(FaceRecord& record, const Vector3& area)
 }
 
 //------------------------------------------------------------------------------
-double HalfEdgeMesh::FirstArea(FaceId face) const
+double HalfEdgeMesh::InitialArea(FaceId face) const
 {
   const std::uint32_t bits = static_cast<std::uint32_t>(this->Faces[face].Twins[3]) & AreaBits;
   float size = 0.0F;
@@ -229,8 +229,7 @@ void HalfEdgeMesh::SplitFace(HalfEdgeId h, VertexId vertex, FaceId made)
   const VertexId b = this->Origin(next);
   const FaceRecord& old = this->Faces[Face(h)];
   FaceRecord& record = this->Faces[made];
-  record = { { vertex, b, this->Origin(Previous(h)), old.Origins[3] },
-    { None, None, None, old.Twins[3] } };
+  record = { { vertex, b, this->Apex(h), old.Origins[3] }, { None, None, None, old.Twins[3] } };
   this->Faces[next >> 2].Origins[next & 3] = vertex;
   this->Pair(HalfEdge(made, 1), outer);
   this->Pair(HalfEdge(made, 2), next);
@@ -280,7 +279,7 @@ void HalfEdgeMesh::RemoveFace(HalfEdgeId h)
   {
     this->Faces[Face(alongPrevious)].Twins[alongPrevious & 3] = alongNext;
   }
-  const VertexId apex = this->Origin(Previous(h));
+  const VertexId apex = this->Apex(h);
   if (this->Outgoing(apex) == Previous(h))
   {
     this->Vertices[apex].Outgoing = alongNext;

@@ -91,6 +91,7 @@ public:
 
   VertexId Origin(HalfEdgeId h) const { return this->Faces[h >> 2].Origins[h & 3]; }
   VertexId Target(HalfEdgeId h) const { return this->Origin(Next(h)); }
+  VertexId Apex(HalfEdgeId h) const { return this->Origin(Previous(h)); }
   HalfEdgeId Twin(HalfEdgeId h) const { return this->Faces[h >> 2].Twins[h & 3]; }
   HalfEdgeId Outgoing(VertexId v) const { return this->Vertices[v].Outgoing; }
   VertexConstraint Constraint(VertexId v) const { return this->Constraints[v]; }
@@ -113,22 +114,22 @@ public:
 
   /// A face of more than this many times its original area replaces so many faces that its own
   /// original normal says nothing about them any more.
-  static constexpr double GrowthOfFreeFace = 8.0;
+  static constexpr double MaxAreaGrowth = 8.0;
 
   /**
    * Whether a face with that area vector would point away from its original normal. False if the
    * face was never changed and has no stored normal, and for an area of more than
-   * GrowthOfFreeFace times the original one.
+   * MaxAreaGrowth times the original one.
    * @param area Along the normal, mm^2.
    */
   bool IsTurnedOver(FaceId face, const Vector3& area) const
   {
-    return this->Faces[face].Twins[3] != None && Dot(area, this->FirstNormal(face)) < 0.0 &&
-      !(area.norm() > GrowthOfFreeFace * this->FirstArea(face));
+    return this->Faces[face].Twins[3] != None && Dot(area, this->InitialNormal(face)) < 0.0 &&
+      !(area.norm() > MaxAreaGrowth * this->InitialArea(face));
   }
 
   /// Whether that normal is stored: from the first change of the face on.
-  bool HasFirstNormal(FaceId face) const { return this->Faces[face].Twins[3] != None; }
+  bool HasInitialNormal(FaceId face) const { return this->Faces[face].Twins[3] != None; }
 
   /// The triangle of the input whose labels the face has: itself, unless a split made it.
   FaceId InputFace(FaceId face) const
@@ -154,9 +155,9 @@ public:
   Index NumberOfFaces() const { return this->LiveFaces; }
 
   /// Mean length of the original edges, one of each triangle, mm; 1 if that is 0.
-  double LengthAtFirst() const { return this->Length; }
+  double InitialEdgeLength() const { return this->Length; }
   /// Edge counts before splitting into patches.
-  const EdgeCounts& EdgesAtFirst() const { return this->Counts; }
+  const EdgeCounts& InitialEdgeCounts() const { return this->Counts; }
   /// The largest power of two not above that length, mm.
   double Unit() const { return this->LengthUnit; }
 
@@ -177,7 +178,7 @@ public:
   void VisitNeighbors(VertexId v, Visit visit) const;
 
   /// The other end of the edge of half-edge h at v.
-  VertexId Across(HalfEdgeId h, VertexId v) const
+  VertexId OtherEnd(HalfEdgeId h, VertexId v) const
   {
     return this->Origin(h) == v ? this->Target(h) : this->Origin(h);
   }
@@ -209,17 +210,17 @@ private:
   void Move(VertexId v, const Vector3& position) { this->Vertices[v].Position = position; }
   /// Must be called before the face changes: stores its normal and area the first time.
   /// @param area Along the normal, mm^2.
-  void KeepFirstNormal(FaceId face, const Vector3& area)
+  void StoreInitialNormal(FaceId face, const Vector3& area)
   {
     if (this->Faces[face].Twins[3] == None)
     {
-      PackFirstNormal(this->Faces[face], area);
+      PackInitialNormal(this->Faces[face], area);
     }
   }
-  static void PackFirstNormal(FaceRecord& record, const Vector3& area);
+  static void PackInitialNormal(FaceRecord& record, const Vector3& area);
   /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees, and the area in 16,
   /// precise to 1 percent.
-  Vector3 FirstNormal(FaceId face) const
+  Vector3 InitialNormal(FaceId face) const
   {
     const std::int32_t xy = this->Faces[face].Origins[3];
     const std::int32_t z = this->Faces[face].Twins[3];
@@ -228,7 +229,7 @@ private:
       static_cast<double>(static_cast<std::int16_t>(z)) };
   }
   /// The original area, mm^2.
-  double FirstArea(FaceId face) const;
+  double InitialArea(FaceId face) const;
   /// What edits of faces change, to undo them: the faces, those beside them and their corners.
   struct Saved
   {
@@ -251,7 +252,7 @@ private:
     }
   }
   /// As before the first change of the face.
-  void ForgetFirstNormal(FaceId face)
+  void ForgetInitialNormal(FaceId face)
   {
     this->Faces[face].Origins[3] = None;
     this->Faces[face].Twins[3] = None;

@@ -16,31 +16,31 @@ LocalLengths::LocalLengths(
   {
     return;
   }
-  this->OfVertex.resize(static_cast<std::size_t>(mesh.NumberOfVertexSlots()));
-  ForEachId(this->OfVertex.size(), threads,
+  this->CachedLengths.resize(static_cast<std::size_t>(mesh.NumberOfVertexSlots()));
+  ForEachId(this->CachedLengths.size(), threads,
     [&](std::size_t v)
     {
       const Vector3& position = mesh.Position(static_cast<Index>(v));
-      this->OfVertex[v] = { position, this->Sizes->At(position) };
+      this->CachedLengths[v] = { position, this->Sizes->At(position) };
     });
 }
 
 //------------------------------------------------------------------------------
 double LocalLengths::At(VertexId vertex, const Vector3& position) const
 {
-  const Known& known = this->OfVertex[vertex];
-  return known.Position == position ? known.There.Length
-                                    : this->Sizes->At(position, known.There.Triangle).Length;
+  const CachedLength& known = this->CachedLengths[vertex];
+  return known.Position == position ? known.Found.Length
+                                    : this->Sizes->At(position, known.Found.Triangle).Length;
 }
 
 //------------------------------------------------------------------------------
-double LocalLengths::Keep(VertexId vertex, const Vector3& position)
+double LocalLengths::Update(VertexId vertex, const Vector3& position)
 {
-  Known& known = this->OfVertex[vertex];
+  CachedLength& known = this->CachedLengths[vertex];
   if (known.Position != position)
   {
-    known = { position, this->Sizes->At(position, known.There.Triangle) };
+    known = { position, this->Sizes->At(position, known.Found.Triangle) };
   }
-  return known.There.Length;
+  return known.Found.Length;
 }
 }

@@ -26,16 +26,16 @@ public:
   double At(VertexId vertex, const Vector3& position) const;
 
   /// The same; keeps it if the vertex has moved or is new.
-  double Keep(VertexId vertex, const Vector3& position);
+  double Update(VertexId vertex, const Vector3& position);
 
 private:
-  struct Known
+  struct CachedLength
   {
     Vector3 Position;
-    SizingField::Found There;
+    SizingField::LocalLength Found;
   };
   std::shared_ptr<const SizingField> Sizes;
-  std::vector<Known> OfVertex;
+  std::vector<CachedLength> CachedLengths;
 };
 }
 

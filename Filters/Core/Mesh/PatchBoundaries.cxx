@@ -16,17 +16,17 @@ using Ends = std::array<Index, 2>;
 /// The neighbors along a patch boundary; None where it does not continue.
 Ends NeighborsOnBoundary(const HalfEdgeMesh& mesh, VertexId v)
 {
-  const Ends beside = BesideOnBoundary(mesh, v);
+  const Ends beside = BoundaryNeighbors(mesh, v);
   bool runs = mesh.NextDuplicate(v) != v && beside[0] != beside[1];
   for (VertexId copy = mesh.NextDuplicate(v); copy != v && runs; copy = mesh.NextDuplicate(copy))
   {
-    runs = BesideOnBoundary(mesh, copy) == beside;
+    runs = BoundaryNeighbors(mesh, copy) == beside;
   }
   return runs ? beside : Ends{ None, None };
 }
 }
 
-std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, VertexId v)
+std::array<Index, 2> BoundaryNeighbors(const HalfEdgeMesh& mesh, VertexId v)
 {
   if (mesh.IsConstrained(v) || !mesh.IsOnBoundary(v))
   {
@@ -43,7 +43,7 @@ std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, VertexId v)
 }
 
 //------------------------------------------------------------------------------
-bool PatchBoundaryRunsThrough(const HalfEdgeMesh& mesh, VertexId v)
+bool IsInsidePatchBoundary(const HalfEdgeMesh& mesh, VertexId v)
 {
   return NeighborsOnBoundary(mesh, v)[0] != None;
 }
@@ -72,13 +72,13 @@ PatchBoundaries::PatchBoundaries(const HalfEdgeMesh& mesh)
       const Index next = beside[first][0] == second ? beside[first][1] : beside[first][0];
       second = std::exchange(first, next);
     }
-    this->AddLine(first, second, isOpen, beside);
+    this->AddCurve(first, second, isOpen, beside);
   }
-  this->EdgesAtFirst = this->Edges;
+  this->InitialEdges = this->Edges;
 }
 
 //------------------------------------------------------------------------------
-void PatchBoundaries::AddLine(
+void PatchBoundaries::AddCurve(
   Index first, Index second, std::vector<char>& isOpen, const std::vector<Ends>& beside)
 {
   const Index begin = this->NumberOfPositions();

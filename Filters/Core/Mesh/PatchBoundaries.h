@@ -19,17 +19,16 @@
 #include "HalfEdgeMesh.h"
 
 #include <array>
-#include <limits>
 #include <vector>
 
 namespace bonedecimate
 {
 /// The original vertices next to v along the boundary of its patch, the lesser first; None if v is
 /// not on one.
-std::array<Index, 2> BesideOnBoundary(const HalfEdgeMesh& mesh, VertexId v);
+std::array<Index, 2> BoundaryNeighbors(const HalfEdgeMesh& mesh, VertexId v);
 
 /// Whether v is an inner vertex of a curve: it has the same two neighbors in every patch.
-bool PatchBoundaryRunsThrough(const HalfEdgeMesh& mesh, VertexId v);
+bool IsInsidePatchBoundary(const HalfEdgeMesh& mesh, VertexId v);
 
 class PatchBoundaries
 {
@@ -40,13 +39,13 @@ public:
   /// Number of positions on curves; a common end of several curves counts several times.
   Index NumberOfPositions() const { return static_cast<Index>(this->OriginalVertices.size()); }
   Index NumberOfEdges() const { return this->Edges; }
-  Index NumberOfEdgesAtFirst() const { return this->EdgesAtFirst; }
+  Index NumberOfInitialEdges() const { return this->InitialEdges; }
 
   Index OriginalVertex(Index index) const { return this->OriginalVertices[index]; }
   Index Before(Index index) const { return this->Neighbors[index][0]; }
   Index After(Index index) const { return this->Neighbors[index][1]; }
   /// Whether it is an inner vertex and not removed.
-  bool MayGo(Index index) const
+  bool IsRemovable(Index index) const
   {
     return this->Before(index) != None && this->After(index) != None;
   }
@@ -62,14 +61,14 @@ public:
 private:
   using Ends = std::array<Index, 2>;
 
-  void AddLine(
+  void AddCurve(
     Index first, Index second, std::vector<char>& isOpen, const std::vector<Ends>& beside);
   double Distance(const HalfEdgeMesh& mesh, Index original, const Ends& segment) const;
 
   std::vector<Index> OriginalVertices; // for each position, curve by curve
   std::vector<Ends> Neighbors;         // positions; None beyond ends and for removed vertices
   Index Edges = 0;
-  Index EdgesAtFirst = 0;
+  Index InitialEdges = 0;
 };
 
 template <typename LimitOf>
@@ -78,14 +77,14 @@ double PatchBoundaries::Deviation(
 {
   const Ends segment = { this->OriginalVertex(this->Before(index)),
     this->OriginalVertex(this->After(index)) };
-  double most = segment[0] == segment[1] ? std::numeric_limits<double>::infinity() : 0.0;
+  double maxDeviation = segment[0] == segment[1] ? Infinity : 0.0;
   for (Index between = this->Before(index) + 1; between < this->After(index); ++between)
   {
     const double distance = this->Distance(mesh, this->OriginalVertex(between), segment);
     const bool isFar = distance > limitOf(this->OriginalVertex(between));
-    most = isFar ? std::numeric_limits<double>::infinity() : std::max(most, distance);
+    maxDeviation = isFar ? Infinity : std::max(maxDeviation, distance);
   }
-  return most;
+  return maxDeviation;
 }
 }
 

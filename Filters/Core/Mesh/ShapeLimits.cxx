@@ -8,16 +8,16 @@
 
 namespace bonedecimate
 {
-double ShapeLimits::LengthOf(const Vector3& a, const Vector3& b) const
+double ShapeLimits::RequestedLength(const Vector3& a, const Vector3& b) const
 {
-  return this->Local
-    ? std::min({ this->EdgeLength, this->Local->At(a).Length, this->Local->At(b).Length })
+  return this->Sizing
+    ? std::min({ this->EdgeLength, this->Sizing->At(a).Length, this->Sizing->At(b).Length })
     : this->EdgeLength;
 }
 
 //------------------------------------------------------------------------------
-double ShapeLimits::MinOfLongest() const
+double ShapeLimits::MinSplitLength() const
 {
-  return this->Local ? Longest * this->Local->Least() : this->LongestEdge();
+  return this->Sizing ? SplitRatio * this->Sizing->MinLength() : this->SplitLength();
 }
 }

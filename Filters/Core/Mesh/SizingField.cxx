@@ -13,12 +13,12 @@ SizingField::SizingField(const Surface& surface, std::vector<double> lengths, in
   : Tree(surface, threads)
   , Triangles(surface.Triangles)
   , Lengths(std::move(lengths))
-  , Shortest(*std::min_element(this->Lengths.begin(), this->Lengths.end()))
+  , ShortestLength(*std::min_element(this->Lengths.begin(), this->Lengths.end()))
 {
 }
 
 //------------------------------------------------------------------------------
-SizingField::Found SizingField::At(const Vector3& position, Index hint) const
+SizingField::LocalLength SizingField::At(const Vector3& position, Index hint) const
 {
   const BoundingTree::Nearest nearest = this->Tree.FindNearest(position, hint);
   const Triangle& corners = this->Triangles[static_cast<std::size_t>(nearest.Triangle)];

@@ -22,21 +22,21 @@ public:
   /// @param surface With at least one triangle.  @param lengths mm, above 0, of each of its points.
   SizingField(const Surface& surface, std::vector<double> lengths, int threads);
 
-  struct Found
+  struct LocalLength
   {
     double Length; ///< mm, linear on each triangle of the surface.
     Index Triangle;
   };
   /// @param hint A triangle near the position; changes the time, never the result.
-  Found At(const Vector3& position, Index hint = None) const;
+  LocalLength At(const Vector3& position, Index hint = None) const;
 
-  double Least() const { return this->Shortest; } ///< mm, of all points.
+  double MinLength() const { return this->ShortestLength; } ///< mm, of all points.
 
 private:
   BoundingTree Tree;
   std::vector<Triangle> Triangles;
   std::vector<double> Lengths; // mm
-  double Shortest;             // mm
+  double ShortestLength;       // mm
 };
 
 /// Shortens lengths so that along an edge of the graph none exceeds that of the other end by

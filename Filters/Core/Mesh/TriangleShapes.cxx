@@ -202,10 +202,10 @@ EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits, const V
     const Vector3& b = surface.Points[to];
     const double length = (b - a).norm();
     sum += length;
-    const double requested = limits.LengthOf(a - origin, b - origin);
-    const bool isLonger = length > ShapeLimits::Longest * requested * (1.0 + rounding);
+    const double requested = limits.RequestedLength(a - origin, b - origin);
+    const bool isLonger = length > ShapeLimits::SplitRatio * requested * (1.0 + rounding);
     found.Longer += isLonger ? 1 : 0;
-    found.Shorter += length < ShapeLimits::Shortest * requested * (1.0 - rounding) ? 1 : 0;
+    found.Shorter += length < ShapeLimits::CollapseRatio * requested * (1.0 - rounding) ? 1 : 0;
     longest = std::max(longest, length);
     if (isLonger && length / requested > worst)
     {
@@ -217,7 +217,7 @@ EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits, const V
   {
     found.Mean = sum / static_cast<double>(edges.size());
     found.Longest = longest;
-    found.MinRequested = limits.MinOfLongest() / ShapeLimits::Longest;
+    found.MinRequested = limits.MinSplitLength() / ShapeLimits::SplitRatio;
   }
   return found;
 }

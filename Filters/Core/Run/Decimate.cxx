@@ -73,13 +73,13 @@ std::unique_ptr<Editor> MakeEditor(
   const RunTask& task, PreparedInput& prepared, RunProgress& progress, Report& report)
 {
   const Monitor building = progress.Stage(CheckedAt, BuiltAt);
-  EditorSettings settings = SettingsOfEditor(task, prepared, !progress.GoesOn());
-  if (progress.GoesOn())
+  EditorSettings settings = SettingsOfEditor(task, prepared, !progress.ShouldContinue());
+  if (progress.ShouldContinue())
   {
     settings.SmoothedPositions =
       SmoothInput(task, prepared, settings, PartOf(building, 0.5, 0.75), report.Smoothing);
   }
-  const bool isAborted = !progress.GoesOn();
+  const bool isAborted = !progress.ShouldContinue();
   auto editor = std::make_unique<Editor>(std::move(*prepared.Mesh), prepared.Cleaned,
     isAborted ? SettingsOfEditor(task, prepared, isAborted) : settings,
     PartOf(building, 0.75, 1.0));
@@ -206,7 +206,7 @@ bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progres
 
   const StageClock collapsing;
   report.Stop = StopReason::Aborted;
-  if (progress.GoesOn())
+  if (progress.ShouldContinue())
   {
     RunModeStages(task, prepared, *editor, progress.Stage(BuiltAt, collapsedAt), report);
     SeparatePoints(task, prepared, *editor, report);
@@ -216,8 +216,8 @@ bool Simplify(const RunTask& task, PreparedInput& prepared, RunProgress& progres
     return false;
   }
   ReportEdits(task, prepared, *editor, report);
-  const Surface local = ExtractResult(
-    task, prepared, *editor, !progress.GoesOn(), progress.Stage(collapsedAt, extractedAt), result);
+  const Surface local = ExtractResult(task, prepared, *editor, !progress.ShouldContinue(),
+    progress.Stage(collapsedAt, extractedAt), result);
   report.Seconds.Collapse = collapsing.Seconds();
   report.Seconds.Decimate = report.Seconds.Prepare + report.Seconds.Collapse;
 
@@ -234,7 +234,7 @@ void CheckVoxels(const RunTask& task, RunProgress& progress, Result& result)
 {
   const LabelMapSource* map = task.Inputs.LabelMap;
   const bool isWhole = task.Inputs.Part == nullptr;
-  if (isWhole && map != nullptr && map->Grid.Dimensions[0] > 0 && progress.GoesOn())
+  if (isWhole && map != nullptr && map->Grid.Dimensions[0] > 0 && progress.ShouldContinue())
   {
     const double at = MeasuredTo(EndsWithProof(task));
     result.Report.Voxels = CompareWithInput(task.Input, result.Surface, result.BoundaryLabels, *map,
@@ -247,7 +247,7 @@ void CheckVoxels(const RunTask& task, RunProgress& progress, Result& result)
 /// alone.
 void Prove(const RunTask& task, PreparedInput& prepared, RunProgress& progress, Result& result)
 {
-  if (EndsWithProof(task) && progress.GoesOn())
+  if (EndsWithProof(task) && progress.ShouldContinue())
   {
     prepared.Cleaned.Surface = {};
     ProveResult(task.Input, prepared.Cleaned, task.Effective, progress.Stage(MeasuredTo(true), 1.0),
@@ -272,7 +272,7 @@ Result DecimateWhole(
     CheckVoxels(task, progress, result);
     Prove(task, prepared, progress, result);
     ListLeftOut(input, prepared.Cleaned, prepared.Tolerances.ReferenceSurface(), inputs, result);
-    report.Stop = progress.GoesOn() ? report.Stop : StopReason::Aborted;
+    report.Stop = progress.ShouldContinue() ? report.Stop : StopReason::Aborted;
   }
   report.Seconds.Total = clock.Seconds();
   return result;
@@ -340,7 +340,7 @@ SmoothedInput SmoothOnly(
   Report& report = result.Report;
   RunTask task = TaskOf(input, options, inputs, report);
   const PreparedInput prepared = PrepareInput(task, CheckedAt, BuiltAt, progress, report);
-  if (report.Status != InputStatus::Good || !progress.GoesOn())
+  if (report.Status != InputStatus::Good || !progress.ShouldContinue())
   {
     return result;
   }

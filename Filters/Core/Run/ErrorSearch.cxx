@@ -57,7 +57,7 @@ public:
     {
       this->Add(error, mostTriangles, clock.Seconds(), result.Report);
     }
-    this->Found.WasAborted = !this->Progress.GoesOn();
+    this->Found.WasAborted = !this->Progress.ShouldContinue();
     const bool endsCurve = isRejected && this->IsCurve;
     if (isWhole ? this->IsBetter() : endsCurve || this->Found.Best < 0)
     {
@@ -80,7 +80,7 @@ private:
     RunInputs inputs = this->Requested.Inputs;
     inputs.Reference = nullptr; // a run takes it with a largest error only
     Result result = Decimate(this->Input, options, this->Progress.Stage(from, runAt), inputs);
-    if (result.Report.Status == InputStatus::Good && this->Progress.GoesOn())
+    if (result.Report.Status == InputStatus::Good && this->Progress.ShouldContinue())
     {
       this->ProvePlainRun(options, this->Progress.Stage(runAt, to), result);
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bonedecimate
 {
@@ -43,7 +42,7 @@ double SquaredDistanceToTriangle(const Vector3& a, const Vector3& b, const Vecto
 
 double DistanceTo(const std::vector<CollapsedEdge::Corners>& triangles, const Vector3& p)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double least = Infinity;
   for (const CollapsedEdge::Corners& t : triangles)
   {
     least = std::min(least, SquaredDistanceToTriangle(t[0] - p, t[1] - p, t[2] - p));

@@ -12,7 +12,7 @@
  * point to the nearest of them. D is an estimate along the collapses, not a bound of the distance
  * to the original.
  *
- * This is the scalar reference of Kernels::LeaveBehind, which gives the same bits.
+ * This is the scalar reference of Kernels::AccumulateError, which gives the same bits.
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_AccumulatedError_h
 #define BoneDecimate_Core_Decimate_Cost_AccumulatedError_h

@@ -37,7 +37,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bonedecimate
 {
@@ -94,7 +93,7 @@ class FarPenalty
 public:
   /// @param limit mm  @param weight Squares of the unit.
   FarPenalty(double limit, double weight)
-    : Limit(limit > 0.0 ? limit * limit : std::numeric_limits<double>::infinity())
+    : Limit(limit > 0.0 ? limit * limit : Infinity)
     , PerLimit(1.0 / this->Limit)
     , Scale(weight)
   {

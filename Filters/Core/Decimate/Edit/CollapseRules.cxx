@@ -69,7 +69,7 @@ void FillFan(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan)
   }
   for (std::size_t lane = 0; lane < 4; ++lane)
   {
-    const Index which = static_cast<Index>(lane) % around.NumberOfGoneFaces;
+    const Index which = static_cast<Index>(lane) % around.NumberOfRemovedFaces;
     const Vector3 apex = mesh.Position(around.Apexes[static_cast<std::size_t>(which)]) - origin;
     for (int k = 0; k < 3; ++k)
     {

@@ -28,7 +28,7 @@ constexpr double LessThanHalf = 0.49;
 constexpr double ErrorsOfSeparation = 2.01;
 
 /// Whether nothing has been edited.
-bool IsAsAtFirst(const HalfEdgeMesh& first, const HalfEdgeMesh& now)
+bool IsUnedited(const HalfEdgeMesh& first, const HalfEdgeMesh& now)
 {
   bool isSame = first.NumberOfFaceSlots() == now.NumberOfFaceSlots();
   for (FaceId face = 0; isSame && face < first.NumberOfFaceSlots(); ++face)
@@ -43,12 +43,12 @@ bool IsAsAtFirst(const HalfEdgeMesh& first, const HalfEdgeMesh& now)
 }
 
 Draft::Draft(Editor& editor, int threads)
-  : Target(editor)
+  : MeshEditor(editor)
   , Threads(threads)
-  , IsOriginal(IsAsAtFirst(editor.Source.BoundedMesh(), editor.Half))
-  , Journal(std::make_shared<EditJournal>(editor.Half))
-  , Limits(this->LimitsAtFirst())
-  , Failures(static_cast<std::size_t>(editor.Half.NumberOfVertexSlots()), 0)
+  , StartsFromOriginal(IsUnedited(editor.OriginalSurface.BoundedMesh(), editor.CurrentMesh))
+  , Journal(std::make_shared<EditJournal>(editor.CurrentMesh))
+  , Limits(this->InitialLimits())
+  , Failures(static_cast<std::size_t>(editor.CurrentMesh.NumberOfVertexSlots()), 0)
   , ExactFilters(editor.Filters)
   , Rejections(editor.Total.Rejections)
 {
@@ -56,8 +56,8 @@ Draft::Draft(Editor& editor, int threads)
   if (editor.Guard)
   {
     this->State.emplace(editor.Guard->MakeStateCheck(*this->Journal));
-    this->Enclosing =
-      this->FindEnclosing(this->IsOriginal ? &editor.Source.BoundedTree(threads) : nullptr);
+    this->Enclosing = this->FindEnclosing(
+      this->StartsFromOriginal ? &editor.OriginalSurface.BoundedTree(threads) : nullptr);
   }
   this->ExchangeFilters();
 }
@@ -65,14 +65,14 @@ Draft::Draft(Editor& editor, int threads)
 //------------------------------------------------------------------------------
 /// Where the mesh is not the original, what is near another part does not move at all: it may be
 /// anywhere within the bound.
-ErrorLimits Draft::LimitsAtFirst() const
+ErrorLimits Draft::InitialLimits() const
 {
-  ErrorLimits limits = this->Target.BoundFilter->Limits();
-  if (this->Target.Guard)
+  ErrorLimits limits = this->MeshEditor.BoundFilter->Limits();
+  if (this->MeshEditor.Guard)
   {
-    limits.Reduce(FindSeparations(this->Target.Source.BoundedMesh(),
+    limits.Reduce(FindSeparations(this->MeshEditor.OriginalSurface.BoundedMesh(),
                     ErrorsOfSeparation * limits.Max(), this->Threads),
-      this->IsOriginal ? LessThanHalf : 0.0);
+      this->StartsFromOriginal ? LessThanHalf : 0.0);
   }
   return limits;
 }
@@ -80,17 +80,17 @@ ErrorLimits Draft::LimitsAtFirst() const
 //------------------------------------------------------------------------------
 void Draft::ExchangeFilters()
 {
-  Editor& editor = this->Target;
+  Editor& editor = this->MeshEditor;
   editor.Filters.clear();
   for (const std::shared_ptr<EditFilter>& filter : this->ExactFilters)
   {
     if (filter == editor.BoundFilter)
     {
       const auto draftFilter = std::make_shared<DraftFilter>(*editor.BoundFilter, this->Limits,
-        editor.Half, editor.Source.CurrentOfInitial(), this->Threads);
-      if (editor.Guard && !this->IsOriginal)
+        editor.CurrentMesh, editor.OriginalSurface.CurrentOfInitial(), this->Threads);
+      if (editor.Guard && !this->StartsFromOriginal)
       {
-        draftFilter->KeepUnproved(editor.Half, this->Threads);
+        draftFilter->KeepUnproved(editor.CurrentMesh, this->Threads);
       }
       editor.Filters.push_back(draftFilter);
     }
@@ -100,16 +100,17 @@ void Draft::ExchangeFilters()
     }
   }
   editor.Filters.push_back(this->Journal);
-  editor.ManifoldPatches.clear(); // which hold data of the filters
+  editor.PatchWorkspaces.clear(); // which hold data of the filters
 }
 
 //------------------------------------------------------------------------------
 bool Draft::Prove(const Monitor& monitor)
 {
-  Editor& editor = this->Target;
+  Editor& editor = this->MeshEditor;
   editor.Filters = this->ExactFilters; // the filters of the draft need memory
-  editor.ManifoldPatches.clear();
-  BulkProof proof(*editor.BoundFilter, this->Limits, editor.Half, *this->Journal, this->Threads);
+  editor.PatchWorkspaces.clear();
+  BulkProof proof(
+    *editor.BoundFilter, this->Limits, editor.CurrentMesh, *this->Journal, this->Threads);
   for (int turn = 0; turn < MaxTurns; ++turn)
   {
     if (!monitor(static_cast<double>(turn) / MaxTurns))
@@ -135,7 +136,8 @@ bool Draft::Prove(const Monitor& monitor)
 /// The cheaper checks first: there is less left to check then.
 std::vector<Index> Draft::FindRejectedEdits(BulkProof& proof)
 {
-  std::vector<Index> edits = proof.FindFailures(this->Target.Source.CurrentOfInitial());
+  std::vector<Index> edits =
+    proof.FindFailures(this->MeshEditor.OriginalSurface.CurrentOfInitial());
   if (edits.empty() && this->State)
   {
     edits = this->State->FindEditsToUndo(this->Threads);
@@ -146,7 +148,7 @@ std::vector<Index> Draft::FindRejectedEdits(BulkProof& proof)
     for (Index edit = 0; edit < this->Journal->Count(); ++edit)
     {
       const JournalEntry& entry = this->Journal->Entry(edit);
-      if (!entry.IsUndone && isWrong[this->Target.Fragments->ComponentOf(entry.Keep)] != 0)
+      if (!entry.IsUndone && isWrong[this->MeshEditor.Fragments->ComponentOf(entry.Keep)] != 0)
       {
         edits.push_back(edit);
       }
@@ -161,17 +163,17 @@ std::vector<Index> Draft::FindRejectedEdits(BulkProof& proof)
 std::vector<std::vector<Index>> Draft::FindEnclosing(const BoundingTree* tree) const
 {
   return bonedecimate::FindEnclosing(
-    this->Target.Half, this->Target.Fragments->Count(),
-    [this](VertexId v) { return this->Target.Fragments->ComponentOf(v); }, tree, this->Threads);
+    this->MeshEditor.CurrentMesh, this->MeshEditor.Fragments->Count(),
+    [this](VertexId v) { return this->MeshEditor.Fragments->ComponentOf(v); }, tree, this->Threads);
 }
 
 //------------------------------------------------------------------------------
 /// Marks components that became too small, or that are enclosed by other closed ones than before.
 std::vector<char> Draft::FindWrongComponents() const
 {
-  const FragmentGuard& fragments = *this->Target.Fragments;
-  std::vector<char> isWrong = fragments.FindTooSmall(this->Target.Half);
-  if (this->Target.Guard)
+  const FragmentGuard& fragments = *this->MeshEditor.Fragments;
+  std::vector<char> isWrong = fragments.FindTooSmall(this->MeshEditor.CurrentMesh);
+  if (this->MeshEditor.Guard)
   {
     const std::vector<std::vector<Index>>& before = this->Enclosing;
     const std::vector<std::vector<Index>> now = this->FindEnclosing(nullptr);
@@ -230,7 +232,7 @@ void Draft::UndoWithDependents(Index edit)
   {
     for (const Index dependent : this->Journal->DependentsOf(edit))
     {
-      this->Target.Undo(*this->Journal, dependent);
+      this->MeshEditor.Undo(*this->Journal, dependent);
     }
   }
 }
@@ -248,7 +250,7 @@ void Draft::Undo()
 //------------------------------------------------------------------------------
 void Draft::Finish()
 {
-  Editor& editor = this->Target;
+  Editor& editor = this->MeshEditor;
   editor.Total.Draft.Collapses = this->Journal->Count();
   editor.Total.Draft.Undone = this->Journal->NumberOfUndone();
   if (editor.Guard)
@@ -257,7 +259,7 @@ void Draft::Finish()
   }
   editor.Filters = this->ExactFilters;
   editor.Total.Rejections = this->Rejections;
-  editor.ManifoldPatches.clear();
+  editor.PatchWorkspaces.clear();
   this->State.reset(); // what follows needs the memory
   this->Journal.reset();
   this->Enclosing = {};

@@ -54,7 +54,7 @@ public:
   void Undo();
 
 private:
-  ErrorLimits LimitsAtFirst() const;
+  ErrorLimits InitialLimits() const;
   void ExchangeFilters();
   std::vector<std::vector<Index>> FindEnclosing(const BoundingTree* tree) const;
   std::vector<Index> FindRejectedEdits(BulkProof& proof);
@@ -63,9 +63,9 @@ private:
   void UndoWithDependents(Index edit);
   void Finish();
 
-  Editor& Target;
+  Editor& MeshEditor;
   int Threads;
-  bool IsOriginal; // whether nothing had been edited before
+  bool StartsFromOriginal; // whether nothing had been edited before
   std::shared_ptr<EditJournal> Journal;
   ErrorLimits Limits; // of the bound, but below half of the separation
   // for each component, those that enclose it at first; only with a guard

@@ -39,25 +39,26 @@ Rejection Editor::CheckTogether(const std::vector<Edit>& edits)
   std::vector<const EdgeNeighborhood*> around;
   for (std::size_t i = 0; i < edits.size(); ++i)
   {
-    Workspace& work = this->ManifoldPatches[i];
-    const Rejection topology = work.Around.Gather(this->Half, edits[i].Edge)
-      ? CheckTopology(this->Half, work.Around)
+    EditWorkspace& workspace = this->PatchWorkspaces[i];
+    const Rejection topology = workspace.Neighborhood.Gather(this->CurrentMesh, edits[i].Edge)
+      ? CheckTopology(this->CurrentMesh, workspace.Neighborhood)
       : Rejection::Valence;
     if (topology != Rejection::NotRejected)
     {
       return topology;
     }
-    around.push_back(&work.Around);
+    around.push_back(&workspace.Neighborhood);
   }
-  const VertexId gone = this->Half.Across(edits[0].Edge, edits[0].Keep);
-  Rejection rejection = CheckPatchBoundary(this->Half, around, this->Half.OriginalVertex(gone));
+  const VertexId gone = this->CurrentMesh.OtherEnd(edits[0].Edge, edits[0].Keep);
+  Rejection rejection =
+    CheckPatchBoundary(this->CurrentMesh, around, this->CurrentMesh.OriginalVertex(gone));
   for (std::size_t i = 0; i < edits.size() && rejection == Rejection::NotRejected; ++i)
   {
-    Workspace& work = this->ManifoldPatches[i];
-    FillFan(
-      this->Half, work.Around, work.Faces.Reserve(static_cast<int>(work.Around.Corners.size())));
-    rejection =
-      CheckPosition(this->Half, work.Around, work.Faces.Current(), this->Propose(edits[i], work));
+    EditWorkspace& workspace = this->PatchWorkspaces[i];
+    FillFan(this->CurrentMesh, workspace.Neighborhood,
+      workspace.FanArrays.Reserve(static_cast<int>(workspace.Neighborhood.Corners.size())));
+    rejection = CheckPosition(this->CurrentMesh, workspace.Neighborhood,
+      workspace.FanArrays.Current(), this->Propose(edits[i], workspace));
   }
   return rejection;
 }
@@ -66,19 +67,19 @@ Rejection Editor::CheckTogether(const std::vector<Edit>& edits)
 /// As one edit, with the first workspace.
 Decision Editor::FilterTogether(const std::vector<Edit>& edits)
 {
-  Workspace& first = this->ManifoldPatches[0];
-  first.Change.OtherGoneFace = first.Around.GoneFaces[1];
+  EditWorkspace& first = this->PatchWorkspaces[0];
+  first.Change.SecondRemovedFace = first.Neighborhood.RemovedFaces[1];
   if (this->NeedsSurfaceChange)
   {
-    first.Change.Fill(this->Half, first.Around);
+    first.Change.Fill(this->CurrentMesh, first.Neighborhood);
   }
   for (std::size_t i = 1; i < edits.size(); ++i)
   {
-    const Workspace& other = this->ManifoldPatches[i];
+    const EditWorkspace& other = this->PatchWorkspaces[i];
     first.Change.VolumeChange += other.Change.VolumeChange;
     if (this->NeedsSurfaceChange)
     {
-      first.Change.AddCollapse(this->Half, other.Around, edits[i]);
+      first.Change.AddCollapse(this->CurrentMesh, other.Neighborhood, edits[i]);
     }
   }
   return this->RunFilters(first);
@@ -87,9 +88,9 @@ Decision Editor::FilterTogether(const std::vector<Edit>& edits)
 //------------------------------------------------------------------------------
 Decision Editor::Try(const std::vector<Edit>& edits)
 {
-  if (this->ManifoldPatches.size() < edits.size())
+  if (this->PatchWorkspaces.size() < edits.size())
   {
-    this->ManifoldPatches.resize(edits.size());
+    this->PatchWorkspaces.resize(edits.size());
   }
   Decision decision = this->CheckTogether(edits);
   if (decision.IsAccepted())
@@ -105,21 +106,21 @@ Decision Editor::Try(const std::vector<Edit>& edits)
   std::vector<Vector3> origins; // mm, of the fans
   for (std::size_t i = 0; i < edits.size(); ++i)
   {
-    gone.push_back(this->Half.Across(edits[i].Edge, edits[i].Keep));
-    origins.push_back(this->Half.Position(this->ManifoldPatches[i].Around.Start));
-    this->CollapseEdge(edits[i], this->ManifoldPatches[i]);
+    gone.push_back(this->CurrentMesh.OtherEnd(edits[i].Edge, edits[i].Keep));
+    origins.push_back(this->CurrentMesh.Position(this->PatchWorkspaces[i].Neighborhood.Start));
+    this->CollapseEdge(edits[i], this->PatchWorkspaces[i]);
   }
-  this->Commit(this->ManifoldPatches[0]);
+  this->Commit(this->PatchWorkspaces[0]);
   for (std::size_t i = 0; i < edits.size(); ++i)
   {
-    Workspace& work = this->ManifoldPatches[i];
+    EditWorkspace& workspace = this->PatchWorkspaces[i];
     if (this->KeepsQuadrics)
     {
-      ExchangeRingQuadrics(
-        this->Half, work.Around, edits[i].Keep, origins[i], work.Faces.Current());
+      ExchangeRingQuadrics(this->CurrentMesh, workspace.Neighborhood, edits[i].Keep, origins[i],
+        workspace.FanArrays.Current());
     }
-    this->NoteCollapse(edits[i], gone[i], work);
-    this->Settle(&work.Counted);
+    this->NoteCollapse(edits[i], gone[i], workspace);
+    this->Settle(&workspace.Counts);
   }
   this->Total.Collapses -= static_cast<std::int64_t>(edits.size()) - 1; // one point was removed
   return Decision::Accept();
@@ -127,16 +128,17 @@ Decision Editor::Try(const std::vector<Edit>& edits)
 
 //------------------------------------------------------------------------------
 /// The parts of the edit, without rules.
-void Editor::ApplyTogether(const Edit& edit, const NearbyEdits& nearby, const Workspace& work)
+void Editor::ApplyTogether(
+  const Edit& edit, const NearbyEdits& nearby, const EditWorkspace& workspace)
 {
-  this->Half.Collapse(work.Around, edit.Keep, edit.Position);
+  this->CurrentMesh.Collapse(workspace.Neighborhood, edit.Keep, edit.Position);
   for (const VertexMove& move : nearby.Moves)
   {
-    this->Half.Move(move.Vertex, move.Position);
+    this->CurrentMesh.Move(move.Vertex, move.Position);
   }
   for (const EdgeFlip& flip : nearby.Flips)
   {
-    this->Half.Flip(FindHalfEdge(this->Half, flip));
+    this->CurrentMesh.Flip(FindHalfEdge(this->CurrentMesh, flip));
   }
 }
 
@@ -147,25 +149,26 @@ Decision Editor::TryFlips(
 {
   for (const EdgeFlip& flip : flips)
   {
-    const HalfEdgeId edge = FindHalfEdge(this->Half, flip);
-    if (edge == None || this->Half.Twin(edge) == None)
+    const HalfEdgeId edge = FindHalfEdge(this->CurrentMesh, flip);
+    if (edge == None || this->CurrentMesh.Twin(edge) == None)
     {
       return Rejection::Boundary;
     }
-    const std::array<Index, 4> corners = CornersAround(this->Half, edge);
-    const Rejection topology = CheckFlipTopology(this->Half, corners);
+    const std::array<Index, 4> corners = CornersAround(this->CurrentMesh, edge);
+    const Rejection topology = CheckFlipTopology(this->CurrentMesh, corners);
     const Decision decision = topology != Rejection::NotRejected ? Decision(topology)
-      : this->Half.HasPatches() ? CheckNewEdge(this->Half, corners[2], corners[3], {})
-                                : Decision::Accept();
+      : this->CurrentMesh.HasPatches() ? CheckNewEdge(this->CurrentMesh, corners[2], corners[3], {})
+                                       : Decision::Accept();
     if (!decision.IsAccepted())
     {
       return decision;
     }
-    for (const Index face : { HalfEdgeMesh::Face(edge), HalfEdgeMesh::Face(this->Half.Twin(edge)) })
+    for (const Index face :
+      { HalfEdgeMesh::Face(edge), HalfEdgeMesh::Face(this->CurrentMesh.Twin(edge)) })
     {
       this->SaveOnce(face, oldFaces, saved);
     }
-    this->Half.Flip(edge);
+    this->CurrentMesh.Flip(edge);
   }
   return Decision::Accept();
 }
@@ -176,87 +179,88 @@ void Editor::SaveOnce(FaceId face, std::vector<Index>& oldFaces, HalfEdgeMesh::S
   if (std::find(oldFaces.begin(), oldFaces.end(), face) == oldFaces.end())
   {
     oldFaces.push_back(face);
-    this->Half.Save(face, saved);
+    this->CurrentMesh.Save(face, saved);
   }
 }
 
 //------------------------------------------------------------------------------
 /// Makes the edit, reads the new faces and undoes it.
-Decision Editor::FillTogether(const Edit& edit, const NearbyEdits& nearby, Workspace& work)
+Decision Editor::FillTogether(const Edit& edit, const NearbyEdits& nearby, EditWorkspace& workspace)
 {
-  SurfaceChange& change = work.Change;
-  change.Fill(this->Half, work.Around);
+  SurfaceChange& change = workspace.Change;
+  change.Fill(this->CurrentMesh, workspace.Neighborhood);
   HalfEdgeMesh::Saved saved;
   for (const Index face : change.OldFaces)
   {
-    this->Half.Save(face, saved);
+    this->CurrentMesh.Save(face, saved);
   }
   for (const VertexMove& move : nearby.Moves)
   {
-    for (const HalfEdgeId h : this->Half.OutgoingOf(move.Vertex))
+    for (const HalfEdgeId h : this->CurrentMesh.OutgoingOf(move.Vertex))
     {
       this->SaveOnce(HalfEdgeMesh::Face(h), change.OldFaces, saved);
     }
   }
-  this->ApplyTogether(edit, { nearby.Moves, {} }, work);
+  this->ApplyTogether(edit, { nearby.Moves, {} }, workspace);
   const Decision decision = this->TryFlips(nearby.Flips, change.OldFaces, saved);
-  change.TakeNewFaces(this->Half);
-  this->Half.Restore(saved);
+  change.TakeNewFaces(this->CurrentMesh);
+  this->CurrentMesh.Restore(saved);
   return decision;
 }
 
 //------------------------------------------------------------------------------
-Decision Editor::Try(const Edit& collapse, const NearbyEdits& requested, Workspace& work)
+Decision Editor::Try(const Edit& collapse, const NearbyEdits& requested, EditWorkspace& workspace)
 {
-  SurfaceChange& change = this->Propose(collapse, work);
+  SurfaceChange& change = this->Propose(collapse, workspace);
   const Edit edit = change.Requested;
   NearbyEdits nearby = requested;
   for (VertexMove& move : nearby.Moves)
   {
     move.Position = this->BoundFilter ? this->BoundFilter->Rounded(move.Position) : move.Position;
   }
-  const auto movesFreely = [this](VertexId v) { return this->Half.MovesFreely(v); };
-  if (!movesFreely(this->Half.Origin(edit.Edge)) || !movesFreely(this->Half.Target(edit.Edge)) ||
+  const auto movesFreely = [this](VertexId v) { return this->CurrentMesh.MovesFreely(v); };
+  if (!movesFreely(this->CurrentMesh.Origin(edit.Edge)) ||
+    !movesFreely(this->CurrentMesh.Target(edit.Edge)) ||
     !std::all_of(nearby.Moves.begin(), nearby.Moves.end(),
       [&](const VertexMove& move) { return movesFreely(move.Vertex); }))
   {
     return Rejection::Boundary;
   }
-  Decision decision = this->CheckEdge(edit.Edge, work);
+  Decision decision = this->CheckEdge(edit.Edge, workspace);
   if (!decision.IsAccepted())
   {
     return decision;
   }
-  change.OtherGoneFace = work.Around.GoneFaces[1];
-  decision = this->FillTogether(edit, nearby, work);
+  change.SecondRemovedFace = workspace.Neighborhood.RemovedFaces[1];
+  decision = this->FillTogether(edit, nearby, workspace);
   if (decision.IsAccepted())
   {
-    decision = CheckNewFaces(this->Half, change);
+    decision = CheckNewFaces(this->CurrentMesh, change);
   }
   if (decision.IsAccepted())
   {
-    decision = this->RunFilters(work);
+    decision = this->RunFilters(workspace);
   }
   if (decision.IsAccepted())
   {
-    this->CommitTogether(edit, nearby, work);
+    this->CommitTogether(edit, nearby, workspace);
   }
   return decision;
 }
 
 //------------------------------------------------------------------------------
-void Editor::CommitTogether(const Edit& edit, const NearbyEdits& nearby, Workspace& work)
+void Editor::CommitTogether(const Edit& edit, const NearbyEdits& nearby, EditWorkspace& workspace)
 {
-  const VertexId gone = this->Half.Across(edit.Edge, edit.Keep);
-  const std::vector<SurfaceChange::Face>& made = work.Change.NewFaces;
+  const VertexId gone = this->CurrentMesh.OtherEnd(edit.Edge, edit.Keep);
+  const std::vector<SurfaceChange::Face>& made = workspace.Change.NewFaces;
   std::vector<Index> faces(made.size());
   std::transform(made.begin(), made.end(), faces.begin(),
     [](const SurfaceChange::Face& face) { return face.Id; });
-  this->KeepFirstNormals(faces);
-  this->ApplyTogether(edit, nearby, work);
-  this->Commit(work);
-  this->NoteCollapse(edit, gone, work);
-  this->Settle(&work.Counted);
+  this->StoreInitialNormals(faces);
+  this->ApplyTogether(edit, nearby, workspace);
+  this->Commit(workspace);
+  this->NoteCollapse(edit, gone, workspace);
+  this->Settle(&workspace.Counts);
   if (this->Recorder)
   {
     this->Recorder->AddNearby(

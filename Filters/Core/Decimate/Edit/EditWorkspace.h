@@ -31,12 +31,13 @@ private:
   std::vector<std::int64_t> Masks;
 };
 
-struct Workspace
+struct EditWorkspace
 {
-  EdgeNeighborhood Around; ///< Surroundings of the edge gathered last; Edge is None if rejected.
-  FanStorage Faces;        ///< The fan of the edge gathered last.
-  SurfaceChange Change;    ///< The change that was checked last, and which worker proposes it.
-  Tally Counted;
+  EdgeNeighborhood
+    Neighborhood;       ///< Surroundings of the edge gathered last; Edge is None if rejected.
+  FanStorage FanArrays; ///< The fan of the edge gathered last.
+  SurfaceChange Change; ///< The change that was checked last, and which worker proposes it.
+  Tally Counts;
   /// Pending data of each filter; made for the first edit.
   std::vector<std::shared_ptr<EditFilter::Pending>> Pending;
 };

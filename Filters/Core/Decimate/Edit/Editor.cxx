@@ -32,45 +32,45 @@ Editor::Editor(const CleanSurface& clean, const EditorSettings& settings)
 //------------------------------------------------------------------------------
 Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSettings& settings,
   const Monitor& monitor)
-  : Half(std::move(mesh))
+  : CurrentMesh(std::move(mesh))
   , KeepsQuadrics(settings.KeepsQuadrics)
-  , Source(clean, settings.RecordsDistances, settings.Reference)
-  , KnowsAround(settings.Reference == nullptr || settings.EditZone)
+  , OriginalSurface(clean, settings.RecordsDistances, settings.Reference)
+  , KnowsOriginalNearby(settings.Reference == nullptr || settings.EditZone)
 {
   if (!settings.SmoothedPositions.empty())
   {
-    this->Source.KeepUnsmoothed(this->Half, settings.SmoothedPositions);
-    for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+    this->OriginalSurface.KeepUnsmoothed(this->CurrentMesh, settings.SmoothedPositions);
+    for (Index v = 0; v < this->CurrentMesh.NumberOfVertexSlots(); ++v)
     {
-      this->Half.Move(v, settings.SmoothedPositions[v]);
+      this->CurrentMesh.Move(v, settings.SmoothedPositions[v]);
     }
   }
   if (settings.KeepsAreas)
   {
-    this->FaceGeometry.emplace(this->Half);
+    this->FaceGeometry.emplace(this->CurrentMesh);
   }
   if (settings.KeepsQuadrics)
   {
-    SumRingQuadrics(this->Half, settings.Threads);
+    SumRingQuadrics(this->CurrentMesh, settings.Threads);
   }
-  const auto goesOn = [&monitor] { return !monitor || monitor(0.0); };
-  if (settings.RecordsDistances && goesOn())
+  const auto shouldContinue = [&monitor] { return !monitor || monitor(0.0); };
+  if (settings.RecordsDistances && shouldContinue())
   {
-    this->Source.Tree(settings.Threads, goesOn);
+    this->OriginalSurface.Tree(settings.Threads, shouldContinue);
   }
   if ((settings.KeepsInitialMesh || settings.Bound) && settings.Reference == nullptr)
   {
-    this->Source.KeepInitial(this->Half);
+    this->OriginalSurface.KeepInitial(this->CurrentMesh);
   }
   this->AddFilters(settings, monitor);
   const std::vector<char> others = this->NearUnproved(settings.IsConstrained);
-  if (!(settings.Tolerances.empty() && others.empty()) && goesOn())
+  if (!(settings.Tolerances.empty() && others.empty()) && shouldContinue())
   {
     this->Total.ConstrainedVertices = this->ConstrainVertices(settings.Tolerances, others);
   }
-  if (settings.CollapsesFeatureCurves && goesOn())
+  if (settings.CollapsesFeatureCurves && shouldContinue())
   {
-    this->Curves = std::make_unique<PatchBoundaries>(this->Half);
+    this->Curves = std::make_unique<PatchBoundaries>(this->CurrentMesh);
   }
 }
 
@@ -87,14 +87,14 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   const bool voxelsFirst = this->GuardsVoxels &&
     (!settings.Bound ||
       VoxelGuard::ChecksBeforeBound(settings.Voxels->Grid, settings.Bound->Error));
-  const CleanSurface& clean = this->Source.CleanInput();
+  const CleanSurface& clean = this->OriginalSurface.CleanInput();
   this->Fragments = std::make_shared<FragmentGuard>(
-    this->Half, clean.Surface, clean.ManifoldPatches.OriginalVertices);
+    this->CurrentMesh, clean.Surface, clean.ManifoldPatches.OriginalVertices);
   this->Filters.push_back(this->Fragments);
   if (!settings.Shape.IsAny())
   {
     this->Filters.push_back(
-      std::make_shared<ShapeFilter>(settings.Shape, this->Half, settings.Threads));
+      std::make_shared<ShapeFilter>(settings.Shape, this->CurrentMesh, settings.Threads));
   }
   if (voxelsFirst)
   {
@@ -138,32 +138,32 @@ void Editor::AddRecorder()
 {
   this->Recorder = std::make_shared<EditRecorder>();
   this->Filters.push_back(this->Recorder);
-  if (this->Source.IsSmoothed())
+  if (this->OriginalSurface.IsSmoothed())
   {
-    this->Recorder->BeginPatch(this->Source.BoundedMesh());
-    this->Recorder->EndPatch(this->Half);
+    this->Recorder->BeginPatch(this->OriginalSurface.BoundedMesh());
+    this->Recorder->EndPatch(this->CurrentMesh);
   }
 }
 
 //------------------------------------------------------------------------------
 void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor& monitor)
 {
-  this->Guard = WithJoined(this->Source.CleanInput(),
+  this->Guard = WithJoined(this->OriginalSurface.CleanInput(),
     [&](const Surface& joined)
     {
       Surface smoothed;
-      if (this->Source.IsSmoothed())
+      if (this->OriginalSurface.IsSmoothed())
       {
         smoothed = joined;
-        for (Index v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+        for (Index v = 0; v < this->CurrentMesh.NumberOfVertexSlots(); ++v)
         {
-          smoothed.Points[v] = this->Half.Position(v);
+          smoothed.Points[v] = this->CurrentMesh.Position(v);
         }
       }
-      return std::make_shared<IntersectionGuard>(this->Half,
-        this->Source.IsSmoothed() ? smoothed : joined,
-        WrittenBy(settings, this->Source.CleanInput()), settings.Bound->Error, settings.GuardsGaps,
-        settings.Threads, monitor);
+      return std::make_shared<IntersectionGuard>(this->CurrentMesh,
+        this->OriginalSurface.IsSmoothed() ? smoothed : joined,
+        WrittenBy(settings, this->OriginalSurface.CleanInput()), settings.Bound->Error,
+        settings.GuardsGaps, settings.Threads, monitor);
     });
   this->Filters.push_back(this->Guard);
 }
@@ -172,18 +172,18 @@ void Editor::AddIntersectionGuard(const EditorSettings& settings, const Monitor&
 void Editor::AddErrorBound(const EditorSettings& settings)
 {
   ErrorBoundSettings bound = *settings.Bound;
-  const ReferenceMesh* reference = this->Source.Reference();
+  const ReferenceMesh* reference = this->OriginalSurface.Reference();
   if (reference != nullptr)
   {
-    this->BoundFilter = std::make_shared<ErrorBound>(*reference, this->Half, bound);
-    this->Unproved = ProveStart(*this->BoundFilter, *reference, this->Half,
+    this->BoundFilter = std::make_shared<ErrorBound>(*reference, this->CurrentMesh, bound);
+    this->Unproved = ProveStart(*this->BoundFilter, *reference, this->CurrentMesh,
       settings.EditZone ? &*settings.EditZone : nullptr, settings.Threads);
   }
   else
   {
     bound.Tolerances = settings.Tolerances.empty() ? nullptr : &settings.Tolerances;
     this->BoundFilter = std::make_shared<ErrorBound>(
-      this->Source.BoundedMesh(), this->Source.Tree(settings.Threads), bound);
+      this->OriginalSurface.BoundedMesh(), this->OriginalSurface.Tree(settings.Threads), bound);
   }
   this->Filters.push_back(this->BoundFilter);
 }
@@ -198,19 +198,19 @@ Index Editor::ConstrainVertices(
       (this->BoundFilter ? !(this->BoundFilter->LimitAt(v) > 0.0) : tolerances[v] == 0.0);
     return isLimited || (!others.empty() && others[v] != 0);
   };
-  for (FaceId face = 0; face < this->Half.NumberOfFaceSlots(); ++face)
+  for (FaceId face = 0; face < this->CurrentMesh.NumberOfFaceSlots(); ++face)
   {
-    const Triangle corners = this->Half.Corners(face);
+    const Triangle corners = this->CurrentMesh.Corners(face);
     if (std::any_of(corners.begin(), corners.end(), isConstrained))
     {
       std::for_each(
-        corners.begin(), corners.end(), [this](VertexId v) { this->Half.Constrain(v); });
+        corners.begin(), corners.end(), [this](VertexId v) { this->CurrentMesh.Constrain(v); });
     }
   }
   Index count = 0;
-  for (VertexId v = 0; v < this->Half.NumberOfVertexSlots(); ++v)
+  for (VertexId v = 0; v < this->CurrentMesh.NumberOfVertexSlots(); ++v)
   {
-    count += isConstrained(v) && this->Half.OriginalVertex(v) == v ? 1 : 0;
+    count += isConstrained(v) && this->CurrentMesh.OriginalVertex(v) == v ? 1 : 0;
   }
   return count;
 }
@@ -223,9 +223,9 @@ std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
 {
   constrained.resize(this->Unproved.empty()
       ? constrained.size()
-      : static_cast<std::size_t>(this->Half.NumberOfVertexSlots()),
+      : static_cast<std::size_t>(this->CurrentMesh.NumberOfVertexSlots()),
     0);
-  const ReferenceMesh* reference = this->Source.Reference();
+  const ReferenceMesh* reference = this->OriginalSurface.Reference();
   for (const FaceId triangle : this->Unproved)
   {
     double squaredReach = 0.0;
@@ -240,10 +240,10 @@ std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
         (reference->Mesh.Position(corner) - middle).norm() + this->BoundFilter->LimitAt(corner);
       squaredReach = std::max(squaredReach, reach * reach);
     }
-    this->Source.Tree().VisitNear(middle, squaredReach,
+    this->OriginalSurface.Tree().VisitNear(middle, squaredReach,
       [&](Index face)
       {
-        for (const Index corner : this->Half.Corners(face))
+        for (const Index corner : this->CurrentMesh.Corners(face))
         {
           constrained[corner] = 1;
         }
@@ -262,7 +262,7 @@ void Editor::Settle(Tally* tallies, std::size_t count)
   }
   for (Tally* tally = tallies; tally != tallies + count; ++tally)
   {
-    this->Half.CountRemovedFaces(tally->RemovedFaces);
+    this->CurrentMesh.CountRemovedFaces(tally->RemovedFaces);
     this->Total.Collapses += tally->Edits;
     for (std::size_t i = 0; i < NumberOfRejections; ++i)
     {
@@ -275,35 +275,35 @@ void Editor::Settle(Tally* tallies, std::size_t count)
 }
 
 //------------------------------------------------------------------------------
-bool Editor::FlipAndMove(const std::function<bool()>& edits, Workspace* work)
+bool Editor::FlipAndMove(const std::function<bool()>& edits, EditWorkspace* workspace)
 {
   const bool isOuter = !std::exchange(this->IsInPass, true);
   const bool isLogged = this->Recorder && isOuter;
   if (isLogged)
   {
-    this->Recorder->BeginPatch(this->Half);
+    this->Recorder->BeginPatch(this->CurrentMesh);
   }
-  this->Fragments->DistributeBudget(this->Half);
-  const bool goesOn = edits();
-  if (work != nullptr)
+  this->Fragments->DistributeBudget(this->CurrentMesh);
+  const bool shouldContinue = edits();
+  if (workspace != nullptr)
   {
-    this->Settle(&work->Counted);
+    this->Settle(&workspace->Counts);
   }
   if (isLogged)
   {
-    this->Recorder->EndPatch(this->Half);
+    this->Recorder->EndPatch(this->CurrentMesh);
   }
   this->IsInPass = !isOuter;
-  return goesOn;
+  return shouldContinue;
 }
 
 //------------------------------------------------------------------------------
 void Editor::PrepareCollapses(int threads)
 {
-  this->Fragments->DistributeBudget(this->Half);
+  this->Fragments->DistributeBudget(this->CurrentMesh);
   if (this->KeepsQuadrics)
   {
-    SumRingQuadrics(this->Half, threads);
+    SumRingQuadrics(this->CurrentMesh, threads);
   }
 }
 }

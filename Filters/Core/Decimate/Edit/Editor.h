@@ -61,23 +61,23 @@ public:
 
   /// Gathers what lies around the edge and checks the rules of a collapse that do not depend on the
   /// position.
-  Decision Gather(HalfEdgeId edge, Workspace& work) const;
+  Decision Gather(HalfEdgeId edge, EditWorkspace& workspace) const;
 
   /// Checks rules and filters, which changes nothing but the workspace; rejections of collapses are
   /// counted. Several edits may be checked at the same time if no vertex is an end of two of them,
   /// and applied one after the other: an accepted one if no face within its Reach has changed
   /// since, and StillAccepts.
   /// @param edit Gathered before if it is a collapse, or else it is gathered now. Not a split.
-  Decision Check(const Edit& edit, Workspace& work) const;
-  bool StillAccepts(Workspace& work) const;
+  Decision Check(const Edit& edit, EditWorkspace& workspace) const;
+  bool StillAccepts(EditWorkspace& workspace) const;
   /// Makes the change that was checked last and accepted.
-  void Apply(Workspace& work);
+  void Apply(EditWorkspace& workspace);
 
   /// Checks the edit and applies it if it is accepted; otherwise nothing changes.
   /// A split puts a vertex on the edge, not counted as a collapse; Rejection::Shape if no id of a
   /// removed vertex is left: no result has more triangles than the input. No other worker may be
   /// active then.
-  Decision Try(const Edit& edit, Workspace& work);
+  Decision Try(const Edit& edit, EditWorkspace& workspace);
   /// Collapses one edge of a feature curve in all manifold patches at it, onto the end that does
   /// not move: all or none. No other worker may be active.
   Decision Try(const std::vector<Edit>& collapses);
@@ -85,15 +85,15 @@ public:
   /// nothing. The states between, which may exceed the error bound, are never left in the mesh, and
   /// no level of the log ends in them. No other worker may be active; counts are settled. Quadrics
   /// are not updated.
-  Decision Try(const Edit& collapse, const NearbyEdits& nearby, Workspace& work);
+  Decision Try(const Edit& collapse, const NearbyEdits& nearby, EditWorkspace& workspace);
 
   /// A pass of flips and moves. Measures the volumes of the fragments first, and distributes among
   /// blocks the volume that each may still lose. The log gets the changes of the pass as one, or
   /// those of the pass around it. A scope by a callable, as that of MakeDraft: its end may need
   /// memory, which no destructor may fail to get.
-  /// @param work If there is one worker: settled at the end.
+  /// @param workspace If there is one worker: settled at the end.
   /// @return What `edits` does.
-  bool FlipAndMove(const std::function<bool()>& edits, Workspace* work = nullptr);
+  bool FlipAndMove(const std::function<bool()>& edits, EditWorkspace* workspace = nullptr);
   /// Measures volumes and quadrics again for collapses that follow flips, moves and splits, which
   /// do not update them.
   void PrepareCollapses(int threads);
@@ -114,11 +114,11 @@ public:
   /// Called after every applied edit, and once for each patch at a feature curve; for invariant
   /// checks and logs.
   using Hook = std::function<void(const Editor&, const Edit&)>;
-  void SetHook(Hook hook) { this->AfterEdit = std::move(hook); }
+  void SetHook(Hook hook) { this->EditHook = std::move(hook); }
   /// While a hook is set, only one worker may be active.
-  bool HasHook() const { return static_cast<bool>(this->AfterEdit); }
+  bool HasHook() const { return static_cast<bool>(this->EditHook); }
 
-  const HalfEdgeMesh& Mesh() const { return this->Half; }
+  const HalfEdgeMesh& Mesh() const { return this->CurrentMesh; }
   const FaceAreas& Areas() const { return *this->FaceGeometry; }
   const EditTotals& Totals() const { return this->Total; }
   /// Which vertices they have, and what they lost up to the last measurement.
@@ -134,7 +134,7 @@ public:
   /// from the local origin.
   EditLog TakeLog() { return this->Recorder->Take(); }
 
-  const bonedecimate::Original& Original() const { return this->Source; }
+  const bonedecimate::Original& Original() const { return this->OriginalSurface; }
 
 private:
   friend class Draft;
@@ -146,50 +146,50 @@ private:
   Index ConstrainVertices(const std::vector<double>& tolerances, const std::vector<char>& others);
   std::vector<char> NearUnproved(std::vector<char> constrained) const;
 
-  SurfaceChange& Propose(const Edit& edit, Workspace& work) const;
-  Decision CheckEdge(HalfEdgeId edge, Workspace& work) const;
-  Decision CheckCollapse(Workspace& work) const;
-  Decision CheckFlipOf(Workspace& work) const;
-  Decision CheckNewPosition(Workspace& work) const;
-  Decision RunFilters(Workspace& work) const;
+  SurfaceChange& Propose(const Edit& edit, EditWorkspace& workspace) const;
+  Decision CheckEdge(HalfEdgeId edge, EditWorkspace& workspace) const;
+  Decision CheckCollapse(EditWorkspace& workspace) const;
+  Decision CheckFlipOf(EditWorkspace& workspace) const;
+  Decision CheckNewPosition(EditWorkspace& workspace) const;
+  Decision RunFilters(EditWorkspace& workspace) const;
   bool PrepareSplit(Edit& edit);
-  void Commit(Workspace& work);
-  void KeepFirstNormals(const std::vector<Index>& faces);
-  void CollapseEdge(const Edit& edit, Workspace& work);
-  void MakeCollapse(const Edit& edit, Workspace& work);
-  void MakeSplit(const Edit& edit, Workspace& work);
-  void NoteCollapse(const Edit& edit, VertexId gone, Workspace& work);
-  void CallHook(const Edit& edit, Workspace& work);
+  void Commit(EditWorkspace& workspace);
+  void StoreInitialNormals(const std::vector<Index>& faces);
+  void CollapseEdge(const Edit& edit, EditWorkspace& workspace);
+  void MakeCollapse(const Edit& edit, EditWorkspace& workspace);
+  void MakeSplit(const Edit& edit, EditWorkspace& workspace);
+  void NoteCollapse(const Edit& edit, VertexId gone, EditWorkspace& workspace);
+  void CallHook(const Edit& edit, EditWorkspace& workspace);
   void Undo(EditJournal& journal, Index edit);
 
-  void ApplyTogether(const Edit& edit, const NearbyEdits& nearby, const Workspace& work);
+  void ApplyTogether(const Edit& edit, const NearbyEdits& nearby, const EditWorkspace& workspace);
   Decision TryFlips(
     const std::vector<EdgeFlip>& flips, std::vector<Index>& oldFaces, HalfEdgeMesh::Saved& saved);
   void SaveOnce(FaceId face, std::vector<Index>& oldFaces, HalfEdgeMesh::Saved& saved) const;
-  Decision FillTogether(const Edit& edit, const NearbyEdits& nearby, Workspace& work);
-  void CommitTogether(const Edit& edit, const NearbyEdits& nearby, Workspace& work);
+  Decision FillTogether(const Edit& edit, const NearbyEdits& nearby, EditWorkspace& workspace);
+  void CommitTogether(const Edit& edit, const NearbyEdits& nearby, EditWorkspace& workspace);
   Rejection CheckTogether(const std::vector<Edit>& edits);
   Decision FilterTogether(const std::vector<Edit>& edits);
 
-  HalfEdgeMesh Half;
+  HalfEdgeMesh CurrentMesh;
   std::vector<Index> Unproved; // triangles of the reference
   std::optional<FaceAreas> FaceGeometry;
   bool KeepsQuadrics;
-  bonedecimate::Original Source;
+  bonedecimate::Original OriginalSurface;
   std::shared_ptr<FragmentGuard> Fragments;
   std::shared_ptr<ErrorBound> BoundFilter;
   std::shared_ptr<IntersectionGuard> Guard;
   bool GuardsVoxels = false;
-  bool KnowsAround; // whether the original is known within two errors of what is edited
+  bool KnowsOriginalNearby; // whether the original is known within two errors of what is edited
   std::shared_ptr<EditRecorder> Recorder;
   std::vector<std::shared_ptr<EditFilter>> Filters; // in order
   bool NeedsSurfaceChange = false;                  // whether any filter does
   bool IsInPass = false;                            // of flips and moves
-  std::vector<Workspace> ManifoldPatches;           // at a feature curve, kept for their memory
+  std::vector<EditWorkspace> PatchWorkspaces;       // at a feature curve, kept for their memory
   std::unique_ptr<PatchBoundaries> Curves;
-  std::optional<FreeSlots> VertexSlots; // of splits
-  std::optional<FreeSlots> FaceSlots;
-  Hook AfterEdit;
+  std::optional<FreeSlots> FreeVertexIds; // of splits
+  std::optional<FreeSlots> FreeFaceIds;
+  Hook EditHook;
   EditTotals Total;
 };
 }

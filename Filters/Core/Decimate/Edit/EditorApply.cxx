@@ -10,118 +10,121 @@
 
 namespace bonedecimate
 {
-Decision Editor::Try(const Edit& edit, Workspace& work)
+Decision Editor::Try(const Edit& edit, EditWorkspace& workspace)
 {
   Edit chosen = edit;
   if (edit.Kind == EditKind::Split && !this->PrepareSplit(chosen))
   {
     return Rejection::Shape;
   }
-  const Decision decision = this->Check(chosen, work);
+  const Decision decision = this->Check(chosen, workspace);
   if (decision.IsAccepted())
   {
-    this->Apply(work);
+    this->Apply(workspace);
   }
   return decision;
 }
 
 //------------------------------------------------------------------------------
-void Editor::Apply(Workspace& work)
+void Editor::Apply(EditWorkspace& workspace)
 {
-  const Edit edit = work.Change.Requested;
+  const Edit edit = workspace.Change.Requested;
   switch (edit.Kind)
   {
     case EditKind::Collapse:
-      this->MakeCollapse(edit, work);
+      this->MakeCollapse(edit, workspace);
       return;
     case EditKind::Split:
-      this->MakeSplit(edit, work);
+      this->MakeSplit(edit, workspace);
       break;
     case EditKind::Flip:
-      this->KeepFirstNormals(work.Change.OldFaces);
-      this->Half.Flip(edit.Edge);
-      this->Commit(work);
+      this->StoreInitialNormals(workspace.Change.OldFaces);
+      this->CurrentMesh.Flip(edit.Edge);
+      this->Commit(workspace);
       break;
     case EditKind::Move:
-      this->KeepFirstNormals(work.Change.OldFaces);
-      this->Half.Move(edit.Keep, edit.Position);
-      this->Commit(work);
+      this->StoreInitialNormals(workspace.Change.OldFaces);
+      this->CurrentMesh.Move(edit.Keep, edit.Position);
+      this->Commit(workspace);
       break;
   }
-  this->CallHook(edit, work);
+  this->CallHook(edit, workspace);
 }
 
 //------------------------------------------------------------------------------
-void Editor::MakeCollapse(const Edit& edit, Workspace& work)
+void Editor::MakeCollapse(const Edit& edit, EditWorkspace& workspace)
 {
-  const VertexId gone = this->Half.Across(edit.Edge, edit.Keep);
-  const Vector3 origin = this->Half.Position(work.Around.Start);
-  this->CollapseEdge(edit, work);
-  this->Commit(work);
+  const VertexId gone = this->CurrentMesh.OtherEnd(edit.Edge, edit.Keep);
+  const Vector3 origin = this->CurrentMesh.Position(workspace.Neighborhood.Start);
+  this->CollapseEdge(edit, workspace);
+  this->Commit(workspace);
   if (this->KeepsQuadrics)
   {
-    ExchangeRingQuadrics(this->Half, work.Around, edit.Keep, origin, work.Faces.Current());
+    ExchangeRingQuadrics(
+      this->CurrentMesh, workspace.Neighborhood, edit.Keep, origin, workspace.FanArrays.Current());
   }
-  this->NoteCollapse(edit, gone, work);
+  this->NoteCollapse(edit, gone, workspace);
 }
 
 //------------------------------------------------------------------------------
 /// Changes the mesh at the edge that was gathered last.
-void Editor::CollapseEdge(const Edit& edit, Workspace& work)
+void Editor::CollapseEdge(const Edit& edit, EditWorkspace& workspace)
 {
-  const Fan& fan = work.Faces.Current();
-  for (std::size_t i = 0; i < work.Around.Corners.size(); ++i)
+  const Fan& fan = workspace.FanArrays.Current();
+  for (std::size_t i = 0; i < workspace.Neighborhood.Corners.size(); ++i)
   {
     const Vector3 twice(fan.OldArea[0][i], fan.OldArea[1][i], fan.OldArea[2][i]); // mm^2
-    this->Half.KeepFirstNormal(HalfEdgeMesh::Face(work.Around.Corners[i]), 0.5 * twice);
+    this->CurrentMesh.StoreInitialNormal(
+      HalfEdgeMesh::Face(workspace.Neighborhood.Corners[i]), 0.5 * twice);
   }
-  this->Half.Collapse(work.Around, edit.Keep, edit.Position);
+  this->CurrentMesh.Collapse(workspace.Neighborhood, edit.Keep, edit.Position);
 }
 
 //------------------------------------------------------------------------------
-void Editor::NoteCollapse(const Edit& edit, VertexId gone, Workspace& work)
+void Editor::NoteCollapse(const Edit& edit, VertexId gone, EditWorkspace& workspace)
 {
   if (this->FaceGeometry)
   {
-    for (const HalfEdgeId h : work.Around.Corners)
+    for (const HalfEdgeId h : workspace.Neighborhood.Corners)
     {
-      this->FaceGeometry->Update(this->Half, HalfEdgeMesh::Face(h));
+      this->FaceGeometry->Update(this->CurrentMesh, HalfEdgeMesh::Face(h));
     }
   }
-  this->Source.Merge(edit.Keep, gone, edit.Position);
-  work.Counted.RemovedFaces += work.Around.NumberOfGoneFaces;
-  work.Around.Edge = None;
-  ++work.Counted.Edits;
-  this->CallHook(edit, work);
+  this->OriginalSurface.Merge(edit.Keep, gone, edit.Position);
+  workspace.Counts.RemovedFaces += workspace.Neighborhood.NumberOfRemovedFaces;
+  workspace.Neighborhood.Edge = None;
+  ++workspace.Counts.Edits;
+  this->CallHook(edit, workspace);
 }
 
 //------------------------------------------------------------------------------
-void Editor::CallHook(const Edit& edit, Workspace& work)
+void Editor::CallHook(const Edit& edit, EditWorkspace& workspace)
 {
-  if (this->AfterEdit)
+  if (this->EditHook)
   {
-    this->Settle(&work.Counted);
-    this->AfterEdit(*this, edit);
+    this->Settle(&workspace.Counts);
+    this->EditHook(*this, edit);
   }
 }
 
 //------------------------------------------------------------------------------
-void Editor::KeepFirstNormals(const std::vector<Index>& faces)
+void Editor::StoreInitialNormals(const std::vector<Index>& faces)
 {
   for (const FaceId face : faces)
   {
-    const auto [a, b, c] = PositionsOf(this->Half, face);
-    this->Half.KeepFirstNormal(face, AreaVector(a, b, c));
+    const auto [a, b, c] = PositionsOf(this->CurrentMesh, face);
+    this->CurrentMesh.StoreInitialNormal(face, AreaVector(a, b, c));
   }
 }
 
 //------------------------------------------------------------------------------
 /// Commits the edit that all filters accepted and that has been applied to the mesh.
-void Editor::Commit(Workspace& work)
+void Editor::Commit(EditWorkspace& workspace)
 {
   for (std::size_t i = 0; i < this->Filters.size(); ++i)
   {
-    this->Filters[i]->Commit(this->Half, work.Change, *work.Pending[i], work.Counted);
+    this->Filters[i]->Commit(
+      this->CurrentMesh, workspace.Change, *workspace.Pending[i], workspace.Counts);
   }
 }
 
@@ -132,9 +135,9 @@ bool Editor::PrepareSplits()
   {
     return false;
   }
-  this->VertexSlots.emplace(FreeVertices(this->Half));
-  this->FaceSlots.emplace(FreeFaces(this->Half));
-  this->Source.BeginSplits();
+  this->FreeVertexIds.emplace(FreeVertices(this->CurrentMesh));
+  this->FreeFaceIds.emplace(FreeFaces(this->CurrentMesh));
+  this->OriginalSurface.BeginSplits();
   return true;
 }
 
@@ -142,20 +145,21 @@ bool Editor::PrepareSplits()
 /// Chooses the ids of what is made, near those at the edge. False if there are not enough.
 bool Editor::PrepareSplit(Edit& edit)
 {
-  assert(this->VertexSlots);
-  const VertexId start = this->Half.Origin(edit.Edge);
-  const HalfEdgeId twin = this->Half.Twin(edit.Edge);
-  if (this->VertexSlots->Count() == 0 || this->FaceSlots->Count() < (twin == None ? 1 : 2))
+  assert(this->FreeVertexIds);
+  const VertexId start = this->CurrentMesh.Origin(edit.Edge);
+  const HalfEdgeId twin = this->CurrentMesh.Twin(edit.Edge);
+  if (this->FreeVertexIds->Count() == 0 || this->FreeFaceIds->Count() < (twin == None ? 1 : 2))
   {
     return false;
   }
-  edit.Keep = this->VertexSlots->FindNearest(start);
-  edit.Made[0] = this->FaceSlots->FindNearest(HalfEdgeMesh::Face(edit.Edge));
+  edit.Keep = this->FreeVertexIds->FindNearest(start);
+  edit.Made[0] = this->FreeFaceIds->FindNearest(HalfEdgeMesh::Face(edit.Edge));
   if (twin != None)
   {
-    edit.Made[1] = this->FaceSlots->FindNearest(HalfEdgeMesh::Face(twin), edit.Made[0]);
+    edit.Made[1] = this->FreeFaceIds->FindNearest(HalfEdgeMesh::Face(twin), edit.Made[0]);
   }
-  const VertexId like = this->Half.IsStationary(start) ? this->Half.Target(edit.Edge) : start;
+  const VertexId like =
+    this->CurrentMesh.IsStationary(start) ? this->CurrentMesh.Target(edit.Edge) : start;
   for (const std::shared_ptr<EditFilter>& filter : this->Filters)
   {
     filter->Adopt(edit.Keep, like);
@@ -165,27 +169,27 @@ bool Editor::PrepareSplit(Edit& edit)
 
 //------------------------------------------------------------------------------
 /// Quadrics are not updated.
-void Editor::MakeSplit(const Edit& edit, Workspace& work)
+void Editor::MakeSplit(const Edit& edit, EditWorkspace& workspace)
 {
-  const VertexId start = this->Half.Origin(edit.Edge);
-  const VertexId end = this->Half.Target(edit.Edge);
-  this->KeepFirstNormals(work.Change.OldFaces);
-  this->Half.Split(edit);
-  this->VertexSlots->Take(edit.Keep);
-  for (const SurfaceChange::Face& face : work.Change.NewFaces)
+  const VertexId start = this->CurrentMesh.Origin(edit.Edge);
+  const VertexId end = this->CurrentMesh.Target(edit.Edge);
+  this->StoreInitialNormals(workspace.Change.OldFaces);
+  this->CurrentMesh.Split(edit);
+  this->FreeVertexIds->Take(edit.Keep);
+  for (const SurfaceChange::Face& face : workspace.Change.NewFaces)
   {
     if (face.SplitFrom != None)
     {
-      this->FaceSlots->Take(face.Id);
-      --work.Counted.RemovedFaces;
+      this->FreeFaceIds->Take(face.Id);
+      --workspace.Counts.RemovedFaces;
     }
     if (this->FaceGeometry)
     {
-      this->FaceGeometry->Update(this->Half, face.Id);
+      this->FaceGeometry->Update(this->CurrentMesh, face.Id);
     }
   }
-  this->Commit(work);
-  this->Source.Make(edit.Keep, start, end, edit.Position);
+  this->Commit(workspace);
+  this->OriginalSurface.Make(edit.Keep, start, end, edit.Position);
   ++this->Total.Splits;
 }
 
@@ -197,30 +201,30 @@ void Editor::Undo(EditJournal& journal, Index edit)
   for (Index i = 0; i < entry.NumberOfFaces; ++i)
   {
     const FaceVersion& face = journal.OldFace(edit, i);
-    this->Half.RestoreCorners(face.Face, journal.VerticesOf(face));
-    if (face.MadeBy == None && !journal.HadFirstNormal(face.Face))
+    this->CurrentMesh.RestoreCorners(face.Face, journal.VerticesOf(face));
+    if (face.MadeBy == None && !journal.HadInitialNormal(face.Face))
     {
-      this->Half.ForgetFirstNormal(face.Face);
+      this->CurrentMesh.ForgetInitialNormal(face.Face);
     }
   }
-  this->Half.RestoreOutgoing(entry.Keep, entry.Outgoing[0]);
-  this->Half.RestoreOutgoing(entry.Gone, entry.Outgoing[1]);
-  for (Index i = 0; i < JournalEntry::NumberOfGoneFaces; ++i)
+  this->CurrentMesh.RestoreOutgoing(entry.Keep, entry.Outgoing[0]);
+  this->CurrentMesh.RestoreOutgoing(entry.Gone, entry.Outgoing[1]);
+  for (Index i = 0; i < JournalEntry::NumberOfRemovedFaces; ++i)
   {
     const FaceVersion& face = journal.OldFace(edit, i);
     const auto side = static_cast<std::size_t>(i);
-    this->Half.RestoreTwins(face.Face, entry.Twins[side]);
+    this->CurrentMesh.RestoreTwins(face.Face, entry.Twins[side]);
     for (const VertexId v : journal.VerticesOf(face))
     {
       if (v != entry.Keep && v != entry.Gone)
       {
-        this->Half.RestoreOutgoing(v, entry.Outgoing[2 + side]);
+        this->CurrentMesh.RestoreOutgoing(v, entry.Outgoing[2 + side]);
       }
     }
   }
-  this->Half.Move(entry.Keep, journal.OldPosition(entry));
-  this->Half.CountRemovedFaces(-JournalEntry::NumberOfGoneFaces);
-  this->Source.Unmerge(entry.Gone);
+  this->CurrentMesh.Move(entry.Keep, journal.OldPosition(entry));
+  this->CurrentMesh.CountRemovedFaces(-JournalEntry::NumberOfRemovedFaces);
+  this->OriginalSurface.Unmerge(entry.Gone);
   --this->Total.Collapses;
   journal.Remove(edit);
 }
@@ -228,18 +232,18 @@ void Editor::Undo(EditJournal& journal, Index edit)
 //------------------------------------------------------------------------------
 bool Editor::MakeDraft(int threads, const std::function<bool()>& collapse, const Monitor& monitor)
 {
-  const bool canDraft = this->Total.Draft.Status == DraftStatus::NotUsed && !this->AfterEdit &&
-    (!this->Guard || this->KnowsAround);
+  const bool canDraft = this->Total.Draft.Status == DraftStatus::NotUsed && !this->EditHook &&
+    (!this->Guard || this->KnowsOriginalNearby);
   if (!canDraft)
   {
     return true;
   }
   Draft draft(*this, threads);
-  const bool goesOn = collapse();
-  if (!goesOn)
+  const bool shouldContinue = collapse();
+  if (!shouldContinue)
   {
     draft.Undo();
   }
-  return goesOn && draft.Prove(monitor);
+  return shouldContinue && draft.Prove(monitor);
 }
 }

@@ -12,65 +12,66 @@ namespace bonedecimate
 {
 namespace
 {
-Decision Count(Decision decision, Workspace& work)
+Decision Count(Decision decision, EditWorkspace& workspace)
 {
   if (decision.IsRejected())
   {
-    ++work.Counted.Rejections[static_cast<std::size_t>(decision.Reason())];
+    ++workspace.Counts.Rejections[static_cast<std::size_t>(decision.Reason())];
   }
   return decision;
 }
 }
 
-Decision Editor::CheckEdge(HalfEdgeId edge, Workspace& work) const
+Decision Editor::CheckEdge(HalfEdgeId edge, EditWorkspace& workspace) const
 {
-  const Rejection ends = CheckEnds(this->Half, edge);
+  const Rejection ends = CheckEnds(this->CurrentMesh, edge);
   if (ends != Rejection::NotRejected)
   {
     return ends;
   }
-  Decision topology = work.Around.Gather(this->Half, edge) ? CheckTopology(this->Half, work.Around)
-                                                           : Rejection::Valence;
-  if (topology.IsAccepted() && this->Half.HasPatches())
+  Decision topology = workspace.Neighborhood.Gather(this->CurrentMesh, edge)
+    ? CheckTopology(this->CurrentMesh, workspace.Neighborhood)
+    : Rejection::Valence;
+  if (topology.IsAccepted() && this->CurrentMesh.HasPatches())
   {
-    topology = CheckPatches(this->Half, work.Around, work.Change.Range);
+    topology = CheckPatches(this->CurrentMesh, workspace.Neighborhood, workspace.Change.Range);
   }
   if (!topology.IsAccepted())
   {
-    work.Around.Edge = None;
+    workspace.Neighborhood.Edge = None;
     return topology;
   }
-  FillFan(
-    this->Half, work.Around, work.Faces.Reserve(static_cast<int>(work.Around.Corners.size())));
+  FillFan(this->CurrentMesh, workspace.Neighborhood,
+    workspace.FanArrays.Reserve(static_cast<int>(workspace.Neighborhood.Corners.size())));
   return Decision::Accept();
 }
 
 //------------------------------------------------------------------------------
-Decision Editor::Gather(HalfEdgeId edge, Workspace& work) const
+Decision Editor::Gather(HalfEdgeId edge, EditWorkspace& workspace) const
 {
-  return Count(this->CheckEdge(edge, work), work);
+  return Count(this->CheckEdge(edge, workspace), workspace);
 }
 
 //------------------------------------------------------------------------------
-Decision Editor::Check(const Edit& edit, Workspace& work) const
+Decision Editor::Check(const Edit& edit, EditWorkspace& workspace) const
 {
-  this->Propose(edit, work);
-  Decision decision = edit.Kind == EditKind::Collapse ? this->CheckCollapse(work)
-    : edit.Kind == EditKind::Flip                     ? this->CheckFlipOf(work)
-                                                      : this->CheckNewPosition(work);
+  this->Propose(edit, workspace);
+  Decision decision = edit.Kind == EditKind::Collapse ? this->CheckCollapse(workspace)
+    : edit.Kind == EditKind::Flip                     ? this->CheckFlipOf(workspace)
+                                                      : this->CheckNewPosition(workspace);
   if (decision.IsAccepted())
   {
-    decision = this->RunFilters(work);
+    decision = this->RunFilters(workspace);
   }
-  return edit.Kind == EditKind::Collapse ? Count(decision, work) : decision;
+  return edit.Kind == EditKind::Collapse ? Count(decision, workspace) : decision;
 }
 
 //------------------------------------------------------------------------------
 /// With the position where the point will be when it has been written: only then the error bound
 /// can be proved.
-SurfaceChange& Editor::Propose(const Edit& edit, Workspace& work) const
+SurfaceChange& Editor::Propose(const Edit& edit, EditWorkspace& workspace) const
 {
-  SurfaceChange& change = work.Change;
+  SurfaceChange& change = workspace.Change;
   change.Requested = edit;
   if (this->BoundFilter && !edit.KeepStays && edit.Kind != EditKind::Flip)
   {
@@ -78,104 +79,107 @@ SurfaceChange& Editor::Propose(const Edit& edit, Workspace& work) const
   }
   change.Vertex = edit.Keep;
   change.VolumeChange = 0.0;
-  change.Unsettled = &work.Counted.Volumes;
+  change.Unsettled = &workspace.Counts.Volumes;
   return change;
 }
 
 //------------------------------------------------------------------------------
-Decision Editor::CheckCollapse(Workspace& work) const
+Decision Editor::CheckCollapse(EditWorkspace& workspace) const
 {
-  SurfaceChange& change = work.Change;
-  if (work.Around.Edge != change.Requested.Edge)
+  SurfaceChange& change = workspace.Change;
+  if (workspace.Neighborhood.Edge != change.Requested.Edge)
   {
-    const Decision decision = this->CheckEdge(change.Requested.Edge, work);
+    const Decision decision = this->CheckEdge(change.Requested.Edge, workspace);
     if (!decision.IsAccepted())
     {
       return decision;
     }
   }
-  change.OtherGoneFace = work.Around.GoneFaces[1];
-  const Rejection rejection = CheckPosition(this->Half, work.Around, work.Faces.Current(), change);
+  change.SecondRemovedFace = workspace.Neighborhood.RemovedFaces[1];
+  const Rejection rejection =
+    CheckPosition(this->CurrentMesh, workspace.Neighborhood, workspace.FanArrays.Current(), change);
   if (rejection == Rejection::NotRejected && this->NeedsSurfaceChange)
   {
-    change.Fill(this->Half, work.Around);
+    change.Fill(this->CurrentMesh, workspace.Neighborhood);
   }
   return rejection;
 }
 
 //------------------------------------------------------------------------------
-Decision Editor::CheckFlipOf(Workspace& work) const
+Decision Editor::CheckFlipOf(EditWorkspace& workspace) const
 {
-  SurfaceChange& change = work.Change;
-  change.Vertex = this->Half.Origin(change.Requested.Edge);
-  Decision decision = CheckFlip(this->Half, change);
-  if (decision.IsAccepted() && this->Half.HasPatches())
+  SurfaceChange& change = workspace.Change;
+  change.Vertex = this->CurrentMesh.Origin(change.Requested.Edge);
+  Decision decision = CheckFlip(this->CurrentMesh, change);
+  if (decision.IsAccepted() && this->CurrentMesh.HasPatches())
   {
-    const std::array<Index, 4> corners = CornersAround(this->Half, change.Requested.Edge);
-    decision = CheckNewEdge(this->Half, corners[2], corners[3], change.Range);
+    const std::array<Index, 4> corners = CornersAround(this->CurrentMesh, change.Requested.Edge);
+    decision = CheckNewEdge(this->CurrentMesh, corners[2], corners[3], change.Range);
   }
   if (decision.IsAccepted())
   {
-    change.Fill(this->Half, work.Around);
+    change.Fill(this->CurrentMesh, workspace.Neighborhood);
   }
   return decision;
 }
 
 //------------------------------------------------------------------------------
 /// Checks a move or a split.
-Decision Editor::CheckNewPosition(Workspace& work) const
+Decision Editor::CheckNewPosition(EditWorkspace& workspace) const
 {
-  SurfaceChange& change = work.Change;
+  SurfaceChange& change = workspace.Change;
   const bool isSplit = change.Requested.Kind == EditKind::Split;
-  const Rejection rejection =
-    isSplit ? CheckSplit(this->Half, change.Requested.Edge) : CheckMove(this->Half, change);
+  const Rejection rejection = isSplit ? CheckSplit(this->CurrentMesh, change.Requested.Edge)
+                                      : CheckMove(this->CurrentMesh, change);
   if (rejection != Rejection::NotRejected)
   {
     return rejection;
   }
-  change.Fill(this->Half, work.Around);
+  change.Fill(this->CurrentMesh, workspace.Neighborhood);
   if (!isSplit)
   {
     return Decision::Accept();
   }
-  change.Vertex = this->Half.Origin(change.Requested.Edge);
-  return CheckNewFaces(this->Half, change);
+  change.Vertex = this->CurrentMesh.Origin(change.Requested.Edge);
+  return CheckNewFaces(this->CurrentMesh, change);
 }
 
 //------------------------------------------------------------------------------
-Decision Editor::RunFilters(Workspace& work) const
+Decision Editor::RunFilters(EditWorkspace& workspace) const
 {
-  if (work.Pending.empty())
+  if (workspace.Pending.empty())
   {
     for (const std::shared_ptr<EditFilter>& filter : this->Filters)
     {
-      work.Pending.push_back(filter->MakePending());
+      workspace.Pending.push_back(filter->MakePending());
     }
   }
   Decision decision = Decision::Accept();
   for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
   {
-    decision = this->Filters[i]->Screen(this->Half, work.Change, *work.Pending[i]);
+    decision = this->Filters[i]->Screen(this->CurrentMesh, workspace.Change, *workspace.Pending[i]);
   }
   for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
   {
-    decision = this->Filters[i]->Check(this->Half, work.Change, *work.Pending[i]);
+    decision = this->Filters[i]->Check(this->CurrentMesh, workspace.Change, *workspace.Pending[i]);
   }
-  work.Change.Reach = 0.0;
+  workspace.Change.Reach = 0.0;
   for (std::size_t i = 0; i < this->Filters.size() && decision.IsAccepted(); ++i)
   {
-    work.Change.Reach = std::max(work.Change.Reach, this->Filters[i]->Reach(*work.Pending[i]));
+    workspace.Change.Reach =
+      std::max(workspace.Change.Reach, this->Filters[i]->Reach(*workspace.Pending[i]));
   }
   return decision;
 }
 
 //------------------------------------------------------------------------------
-bool Editor::StillAccepts(Workspace& work) const
+bool Editor::StillAccepts(EditWorkspace& workspace) const
 {
   bool accepts = true;
   for (std::size_t i = 0; i < this->Filters.size() && accepts; ++i)
   {
-    accepts = this->Filters[i]->StillAccepts(this->Half, work.Change, *work.Pending[i]);
+    accepts =
+      this->Filters[i]->StillAccepts(this->CurrentMesh, workspace.Change, *workspace.Pending[i]);
   }
   return accepts;
 }

@@ -65,7 +65,7 @@ struct EditorSettings
   /// Where edits are allowed, mm from the local origin; none: everywhere.
   std::optional<Zone> EditZone = {};
   /// Neighbors from which new faces keep a distance.
-  Neighborhood Neighbors = {};
+  NeighborSurfaces Neighbors = {};
   /// Limits of the shapes that edits leave, unless a triangle that they replace is worse.
   ShapeLimits Shape = {};
   /// Options of the run, read only by Editor::AddFilters: a new filter finds its option here.

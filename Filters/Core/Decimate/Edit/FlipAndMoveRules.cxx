@@ -83,8 +83,7 @@ Rejection CheckBoundarySplit(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 std::array<Index, 4> CornersAround(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 {
   const HalfEdgeId twin = mesh.Twin(edge);
-  return { mesh.Origin(edge), mesh.Origin(twin), mesh.Origin(HalfEdgeMesh::Previous(edge)),
-    mesh.Origin(HalfEdgeMesh::Previous(twin)) };
+  return { mesh.Origin(edge), mesh.Origin(twin), mesh.Apex(edge), mesh.Apex(twin) };
 }
 
 //------------------------------------------------------------------------------
@@ -116,7 +115,7 @@ Rejection CheckFlipTopology(const HalfEdgeMesh& mesh, const std::array<Index, 4>
   const VertexId from = corners[swaps ? 3 : 2];
   const VertexId to = corners[swaps ? 2 : 3];
   bool joined = from == to;
-  mesh.VisitEdges(from, [&](HalfEdgeId h) { joined = joined || mesh.Across(h, from) == to; });
+  mesh.VisitEdges(from, [&](HalfEdgeId h) { joined = joined || mesh.OtherEnd(h, from) == to; });
   return joined ? Rejection::LinkCondition : Rejection::NotRejected;
 }
 
@@ -172,7 +171,7 @@ Rejection CheckMove(const HalfEdgeMesh& mesh, SurfaceChange& change)
   for (const HalfEdgeId h : mesh.OutgoingOf(vertex))
   {
     const Vector3& second = mesh.Position(mesh.Target(h));
-    const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
+    const Vector3& third = mesh.Position(mesh.Apex(h));
     const Face before(mesh.Position(vertex), second, third);
     const Face after(position, second, third);
     if (IsNeedle(after, before.Quality))
@@ -224,8 +223,8 @@ Rejection CheckNewFaces(const HalfEdgeMesh& mesh, SurfaceChange& change)
   double volumeChange = 0.0; // mm^3
   for (const Index old : change.OldFaces)
   {
-    const Triangle v = mesh.Corners(old);
-    volumeChange -= volume(mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]));
+    const auto [a, b, c] = PositionsOf(mesh, old);
+    volumeChange -= volume(a, b, c);
   }
   for (const SurfaceChange::Face& face : change.NewFaces)
   {

@@ -86,7 +86,7 @@ public:
       this->Ring.push_back(this->Ring.front());
     }
     const double perUnit = 1.0 / this->Mesh.Unit();
-    RingQuadric quadric = this->Compute.SumPlanes(this->Fill(v), perUnit * perUnit);
+    RingQuadric quadric = this->KernelSet.SumPlanes(this->Fill(v), perUnit * perUnit);
     if (isOpen)
     {
       Sum boundary(perUnit);
@@ -114,7 +114,7 @@ private:
   }
 
   const HalfEdgeMesh& Mesh;
-  const Kernels& Compute = BestKernels();
+  const Kernels& KernelSet = BestKernels();
   std::vector<Index> Ring; // the first once more at the end if it closes
   FanStorage Storage;
 };
@@ -122,7 +122,7 @@ private:
 void TakeGonePlanes(
   HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Vector3& origin, const Vector3& end)
 {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(around.NumberOfGoneFaces); ++i)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(around.NumberOfRemovedFaces); ++i)
   {
     const Vector3 apex = mesh.Position(around.Apexes[i]) - origin;
     Sum gone(1.0 / mesh.Unit());

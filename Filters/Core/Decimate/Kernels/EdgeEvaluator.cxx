@@ -53,6 +53,6 @@ void EdgeEvaluator::operator()(const EdgeBatch& batch, EdgeResults& results) con
   {
     EvaluateOne(this->Policies, batch, lane, results);
   }
-  results.Least = *std::min_element(results.Costs, results.Costs + EdgeBatch::Size);
+  results.MinCost = *std::min_element(results.Costs, results.Costs + EdgeBatch::Size);
 }
 }

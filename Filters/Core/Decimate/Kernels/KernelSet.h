@@ -6,7 +6,7 @@
  *
  *     EvaluateEdges    Decimate/Placement/EdgeQuadric.h, Decimate/Placement/VolumePreserving.h and
  *                      Decimate/Cost/QuadricDeviation.h, eight edges at a time
- *     LeaveBehind      Decimate/Cost/AccumulatedError.h, four triangles at a time
+ *     AccumulateError      Decimate/Cost/AccumulatedError.h, four triangles at a time
  *
  * Those files have the formulas, their sources and a scalar reference, whose bits every set of
  * kernels gives.
@@ -154,7 +154,7 @@ void EvaluateEdges(const EdgeBatch& batch, EdgeResults& results)
     (freedom != static_cast<std::int32_t>(Freedom::Nowhere)) & (cost < never);
   const Floats costs = Select(counts, cost, zero + never);
   Store(costs, results.Costs);
-  results.Least = MinOf(costs);
+  results.MinCost = MinOf(costs);
   Store(half.X + x.X, results.Moves[0]);
   Store(half.Y + x.Y, results.Moves[1]);
   Store(half.Z + x.Z, results.Moves[2]);
@@ -250,7 +250,7 @@ inline double DistanceToOldFan(const Fan& fan)
   return Root(MinOfDoubles(least));
 }
 
-double LeaveBehind(const Fan& fan, double atStart, double atEnd)
+double AccumulateError(const Fan& fan, double atStart, double atEnd)
 {
   const double start[3] = { 0.0, 0.0, 0.0 };
   const double first = atStart + DistanceToNewFan(fan, start);
@@ -263,5 +263,5 @@ double LeaveBehind(const Fan& fan, double atStart, double atEnd)
 
 extern const Kernels BONEDECIMATE_KERNELS;
 const Kernels BONEDECIMATE_KERNELS = { BONEDECIMATE_KERNELS_NAME, EvaluateEdges, CheckFan,
-  LeaveBehind, SumPlanes, ExchangePlanes, ReachTriangles };
+  AccumulateError, SumPlanes, ExchangePlanes, ReachTriangles };
 }

@@ -35,7 +35,7 @@ struct EdgeBatch
 struct EdgeResults
 {
   float Costs[EdgeBatch::Size];    ///< Infinite: never.
-  float Least;                     ///< Least of the costs.
+  float MinCost;                   ///< Smallest of the costs.
   float Moves[3][EdgeBatch::Size]; ///< From First, units.
 };
 
@@ -80,7 +80,7 @@ struct Kernels
   /// The accumulated error after the collapse, mm: the largest distance of either end to the new
   /// fan, plus that accumulated at it, or of the new position to the old fan. Needs no other kernel
   /// first.
-  double (*LeaveBehind)(const Fan& fan, double atStart, double atEnd);
+  double (*AccumulateError)(const Fan& fan, double atStart, double atEnd);
   /// The quadric of a vertex at the origin.  @param fan Only Ring is read.  @param perArea 1/mm^2
   RingQuadric (*SumPlanes)(const Fan& fan, double perArea);
   /// Adds new minus old planes to the quadrics of the ring, and returns the sum of the new ones.

@@ -19,9 +19,9 @@ template <typename Visit>
 void VisitPlanes(
   const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around, Visit visit)
 {
-  for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
+  for (Index i = 0; i < around.NumberOfRemovedFaces; ++i)
   {
-    visit(areas[around.GoneFaces[i]].Normal, mesh.Position(around.Start));
+    visit(areas[around.RemovedFaces[i]].Normal, mesh.Position(around.Start));
   }
   for (const HalfEdgeId h : around.Corners)
   {
@@ -117,7 +117,7 @@ void ProposeAlongBoundary(const HalfEdgeMesh& mesh, const FaceAreas& areas,
     mesh.VisitEdges(end,
       [&](HalfEdgeId h)
       {
-        const VertexId other = mesh.Across(h, end);
+        const VertexId other = mesh.OtherEnd(h, end);
         if (mesh.Twin(h) == None && other != around.Start && other != around.End)
         {
           const Vector3 direction = (mesh.Position(other) - mesh.Position(end)).stableNormalized();

@@ -15,21 +15,20 @@ constexpr std::size_t FirstBatch = 32;
 constexpr std::size_t MaxBatch = 128;
 /// A batch shrinks if more than one collapse in this many was found in vain, and grows if less than
 /// one in four times as many.
-constexpr std::size_t CollapsesForOneInVain = 8;
+constexpr std::size_t CollapsesPerWasted = 8;
 /// Vertices that wait, in batches: no list is read while there are more.
-constexpr std::size_t BatchesThatWait = 4;
+constexpr std::size_t MaxWaitingBatches = 4;
 }
 
-BatchSweep::BatchSweep(
-  Editor& editor, const EdgeEvaluator& evaluate, VertexBuckets& buckets, int threads)
+BatchSweep::BatchSweep(Editor& editor, const EdgeEvaluator& evaluate, SweepData& data, int threads)
   : MeshEditor(editor)
   , Evaluate(evaluate)
-  , Known(buckets)
-  , Lists(editor.Mesh(), evaluate, buckets)
+  , Data(data)
+  , Lists(editor.Mesh(), evaluate, data)
   , Team(static_cast<int>(std::min<std::size_t>(ThreadsToUse(threads), MaxBatch)))
   , Candidates(MaxBatch)
-  , MaxInBatch(FirstBatch)
-  , ReservedBy(buckets.Buckets.size(), 0)
+  , MaxBatchSize(FirstBatch)
+  , ReservedBy(data.Buckets.size(), 0)
 {
 }
 
@@ -41,30 +40,30 @@ bool BatchSweep::Run(const BlockTask& task, StopCriterion& end, const Monitor& m
   Index left = task.Collapses;
   while (left > 0 && !end.IsReached())
   {
-    if (!end.TellNow(monitor))
+    if (!end.ReportNow(monitor))
     {
       return false;
     }
     this->FillBatch();
-    if (this->Size == 0)
+    if (this->BatchSize == 0)
     {
       return true;
     }
-    this->Team.Run(this->Size, [this](std::size_t i) { this->SearchAt(this->Candidates[i]); });
-    this->Changed.clear();
-    const std::size_t waiting = this->Waiting.size();
-    for (std::size_t i = 0; i < this->Size && left > 0 && !end.IsReached(); ++i)
+    this->Team.Run(this->BatchSize, [this](std::size_t i) { this->SearchAt(this->Candidates[i]); });
+    this->ChangedBoxes.clear();
+    const std::size_t waiting = this->WaitingVertices.size();
+    for (std::size_t i = 0; i < this->BatchSize && left > 0 && !end.IsReached(); ++i)
     {
       if (this->Commit(this->Candidates[i]))
       {
         --left;
-        if (!end.Tell(monitor))
+        if (!end.Report(monitor))
         {
           return false;
         }
       }
     }
-    this->ChangeBatchSize(this->Changed.size(), this->Waiting.size() - waiting);
+    this->ChangeBatchSize(this->ChangedBoxes.size(), this->WaitingVertices.size() - waiting);
   }
   return true;
 }
@@ -73,44 +72,45 @@ bool BatchSweep::Run(const BlockTask& task, StopCriterion& end, const Monitor& m
 /// Those that waited first.
 void BatchSweep::FillBatch()
 {
-  this->Size = 0;
-  ++this->Batch;
-  this->Retried.swap(this->Waiting);
-  this->Waiting.clear();
-  for (const Listed& listed : this->Retried)
+  this->BatchSize = 0;
+  ++this->BatchNumber;
+  this->RetriedVertices.swap(this->WaitingVertices);
+  this->WaitingVertices.clear();
+  for (const ListedVertex& listed : this->RetriedVertices)
   {
     this->Take(listed);
   }
-  while (this->Size < this->MaxInBatch && this->Waiting.size() < BatchesThatWait * this->MaxInBatch)
+  while (this->BatchSize < this->MaxBatchSize &&
+    this->WaitingVertices.size() < MaxWaitingBatches * this->MaxBatchSize)
   {
-    if (this->NextReady == this->Ready.size())
+    if (this->NextInList == this->List.size())
     {
-      this->MaxOfReady = this->Lists.TakeLowest(this->Ready);
-      this->NextReady = 0;
+      this->MaxBucketOfList = this->Lists.TakeLowest(this->List);
+      this->NextInList = 0;
     }
-    if (this->Ready.empty())
+    if (this->List.empty())
     {
       return;
     }
-    this->Take({ this->Ready[this->NextReady++], this->MaxOfReady });
+    this->Take({ this->List[this->NextInList++], this->MaxBucketOfList });
   }
 }
 
 //------------------------------------------------------------------------------
 /// Adds the vertex to the batch or to those that wait, unless its bucket has risen since it was
 /// listed.
-void BatchSweep::Take(const Listed& listed)
+void BatchSweep::Take(const ListedVertex& listed)
 {
-  if (this->Known.Buckets[listed.Vertex] > listed.Highest)
+  if (this->Data.Buckets[listed.Vertex] > listed.Highest)
   {
     return;
   }
-  if (this->Size == this->MaxInBatch || !this->ReserveRing(listed.Vertex))
+  if (this->BatchSize == this->MaxBatchSize || !this->ReserveRing(listed.Vertex))
   {
-    this->Waiting.push_back(listed);
+    this->WaitingVertices.push_back(listed);
     return;
   }
-  this->Candidates[this->Size++].At = listed;
+  this->Candidates[this->BatchSize++].Listed = listed;
 }
 
 //------------------------------------------------------------------------------
@@ -118,14 +118,15 @@ void BatchSweep::Take(const Listed& listed)
 bool BatchSweep::ReserveRing(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  bool isFree = this->ReservedBy[vertex] != this->Batch;
+  bool isFree = this->ReservedBy[vertex] != this->BatchNumber;
   mesh.VisitNeighbors(vertex,
-    [&](HalfEdgeId, Index other) { isFree = isFree && this->ReservedBy[other] != this->Batch; });
+    [&](HalfEdgeId, Index other)
+    { isFree = isFree && this->ReservedBy[other] != this->BatchNumber; });
   if (isFree)
   {
-    this->ReservedBy[vertex] = this->Batch;
+    this->ReservedBy[vertex] = this->BatchNumber;
     mesh.VisitNeighbors(
-      vertex, [this](HalfEdgeId, Index other) { this->ReservedBy[other] = this->Batch; });
+      vertex, [this](HalfEdgeId, Index other) { this->ReservedBy[other] = this->BatchNumber; });
   }
   return isFree;
 }
@@ -134,14 +135,15 @@ bool BatchSweep::ReserveRing(VertexId vertex)
 /// Called at the same time for all candidates of a batch.
 void BatchSweep::SearchAt(Candidate& candidate) const
 {
-  candidate.Space.Change.Rank = candidate.At.Highest;
-  candidate.Space.Change.Range = this->Task.Vertices;
+  candidate.Workspace.Change.Rank = candidate.Listed.Highest;
+  candidate.Workspace.Change.Range = this->Task.Vertices;
   candidate.Edges.Gather(
-    this->MeshEditor.Mesh(), this->Known, candidate.At.Vertex, this->Task.Vertices);
+    this->MeshEditor.Mesh(), this->Data, candidate.Listed.Vertex, this->Task.Vertices);
   candidate.Edges.Evaluate(this->Evaluate);
-  candidate.Found = CollapseSearch(this->MeshEditor, this->Known)
-                      .Find(candidate.Edges, candidate.At.Highest, this->Task, candidate.Space);
-  if (candidate.Found.Of == CollapseSearch::Outcome::Accepted)
+  candidate.SearchResult =
+    CollapseSearch(this->MeshEditor, this->Data)
+      .Find(candidate.Edges, candidate.Listed.Highest, this->Task, candidate.Workspace);
+  if (candidate.SearchResult.Kind == CollapseSearch::Outcome::Accepted)
   {
     this->FindBox(candidate);
   }
@@ -152,9 +154,9 @@ void BatchSweep::SearchAt(Candidate& candidate) const
 void BatchSweep::FindBox(Candidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const EdgeNeighborhood& around = candidate.Space.Around;
-  Box& box = candidate.Changes;
-  box.Low = box.High = candidate.Space.Change.Requested.Position;
+  const EdgeNeighborhood& around = candidate.Workspace.Neighborhood;
+  Box& box = candidate.ChangedBox;
+  box.Low = box.High = candidate.Workspace.Change.Requested.Position;
   const auto add = [&](VertexId v)
   {
     box.Low = box.Low.cwiseMin(mesh.Position(v));
@@ -169,20 +171,20 @@ void BatchSweep::FindBox(Candidate& candidate) const
 /// Whether what the search read is as it was.
 bool BatchSweep::IsUpToDate(Candidate& candidate) const
 {
-  const Box& own = candidate.Changes;
-  const double reach = candidate.Space.Change.Reach;
+  const Box& own = candidate.ChangedBox;
+  const double reach = candidate.Workspace.Change.Reach;
   const auto isApart = [&own, reach](const Box& other) {
     return (other.Low - own.High).maxCoeff() > reach || (own.Low - other.High).maxCoeff() > reach;
   };
-  return std::all_of(this->Changed.begin(), this->Changed.end(), isApart) &&
-    this->MeshEditor.StillAccepts(candidate.Space);
+  return std::all_of(this->ChangedBoxes.begin(), this->ChangedBoxes.end(), isApart) &&
+    this->MeshEditor.StillAccepts(candidate.Workspace);
 }
 
 //------------------------------------------------------------------------------
 /// Whether an edge was collapsed.
 bool BatchSweep::Commit(Candidate& candidate)
 {
-  const bool isAccepted = candidate.Found.Of == CollapseSearch::Outcome::Accepted;
+  const bool isAccepted = candidate.SearchResult.Kind == CollapseSearch::Outcome::Accepted;
   const bool isCollapsed = isAccepted && this->IsUpToDate(candidate);
   if (isCollapsed)
   {
@@ -190,36 +192,38 @@ bool BatchSweep::Commit(Candidate& candidate)
   }
   else if (isAccepted)
   {
-    this->Waiting.push_back(candidate.At);
+    this->WaitingVertices.push_back(candidate.Listed);
   }
   else
   {
-    this->Lists.Reject(candidate.At.Vertex, candidate.Found.Bucket, candidate.Found.IsLasting);
+    this->Lists.Reject(
+      candidate.Listed.Vertex, candidate.SearchResult.Bucket, candidate.SearchResult.IsLasting);
   }
-  this->MeshEditor.Settle(&candidate.Space.Counted);
+  this->MeshEditor.Settle(&candidate.Workspace.Counts);
   return isCollapsed;
 }
 
 //------------------------------------------------------------------------------
 void BatchSweep::Collapse(Candidate& candidate)
 {
-  const Edit edit = candidate.Space.Change.Requested;
-  const VertexId gone = this->MeshEditor.Mesh().Across(edit.Edge, edit.Keep);
-  this->MeshEditor.Apply(candidate.Space);
-  this->Lists.Update(edit, gone, candidate.Found.AccumulatedError, candidate.Space.Around);
-  this->Changed.push_back(candidate.Changes);
+  const Edit edit = candidate.Workspace.Change.Requested;
+  const VertexId gone = this->MeshEditor.Mesh().OtherEnd(edit.Edge, edit.Keep);
+  this->MeshEditor.Apply(candidate.Workspace);
+  this->Lists.Update(
+    edit, gone, candidate.SearchResult.AccumulatedError, candidate.Workspace.Neighborhood);
+  this->ChangedBoxes.push_back(candidate.ChangedBox);
 }
 
 //------------------------------------------------------------------------------
-void BatchSweep::ChangeBatchSize(std::size_t collapses, std::size_t inVain)
+void BatchSweep::ChangeBatchSize(std::size_t collapses, std::size_t wasted)
 {
-  if (inVain * CollapsesForOneInVain > collapses)
+  if (wasted * CollapsesPerWasted > collapses)
   {
-    this->MaxInBatch = std::max(MinBatch, this->MaxInBatch / 2);
+    this->MaxBatchSize = std::max(MinBatch, this->MaxBatchSize / 2);
   }
-  else if (inVain * 4 * CollapsesForOneInVain <= collapses)
+  else if (wasted * 4 * CollapsesPerWasted <= collapses)
   {
-    this->MaxInBatch = std::min(MaxBatch, this->MaxInBatch + this->MaxInBatch / 4);
+    this->MaxBatchSize = std::min(MaxBatch, this->MaxBatchSize + this->MaxBatchSize / 4);
   }
 }
 }

@@ -39,17 +39,17 @@ namespace bonedecimate
 class BatchSweep
 {
 public:
-  BatchSweep(Editor& editor, const EdgeEvaluator& evaluate, VertexBuckets& buckets, int threads);
+  BatchSweep(Editor& editor, const EdgeEvaluator& evaluate, SweepData& data, int threads);
 
   /// Until the end is reached, or nothing is left to collapse.
   /// @param task Its vertices are the whole mesh.
-  /// @param end Told after every collapse and before every batch.
+  /// @param end Reported after every collapse and before every batch.
   /// @return False if the monitor requests a stop.
   bool Run(const BlockTask& task, StopCriterion& end, const Monitor& monitor);
 
 private:
   /// A vertex of a list.
-  struct Listed
+  struct ListedVertex
   {
     VertexId Vertex;
     CostBucket Highest = NeverBucket; ///< Highest bucket of the list.
@@ -62,40 +62,41 @@ private:
   /// A vertex of the batch, and what was found there.
   struct Candidate
   {
-    Listed At;
+    ListedVertex Listed;
     VertexEdges Edges;
-    Workspace Space;
-    CollapseSearch::Result Found;
-    Box Changes; ///< Box of the faces that an accepted collapse changes.
+    EditWorkspace Workspace;
+    CollapseSearch::Result SearchResult;
+    Box ChangedBox; ///< Box of the faces that an accepted collapse changes.
   };
 
   void FillBatch();
-  void Take(const Listed& listed);
+  void Take(const ListedVertex& listed);
   bool ReserveRing(VertexId vertex);
   void SearchAt(Candidate& candidate) const;
   void FindBox(Candidate& candidate) const;
   bool IsUpToDate(Candidate& candidate) const;
   bool Commit(Candidate& candidate);
   void Collapse(Candidate& candidate);
-  void ChangeBatchSize(std::size_t collapses, std::size_t inVain);
+  void ChangeBatchSize(std::size_t collapses, std::size_t wasted);
 
   Editor& MeshEditor;
   const EdgeEvaluator& Evaluate;
-  VertexBuckets& Known;
+  SweepData& Data;
   BlockTask Task;
   VertexLists Lists;
   WorkerTeam Team;
   std::vector<Candidate> Candidates; // memory of the batch
-  std::size_t Size = 0;              // of the batch
-  std::size_t MaxInBatch;
-  std::vector<Index> Ready; // the lowest list, of which those before NextReady were taken
-  std::size_t NextReady = 0;
-  CostBucket MaxOfReady = NeverBucket;
-  std::vector<Listed> Waiting, Retried; // for the next batch; of the one being filled
+  std::size_t BatchSize = 0;         // of the batch
+  std::size_t MaxBatchSize;
+  std::vector<Index> List; // the lowest list, of which those before NextInList were taken
+  std::size_t NextInList = 0;
+  CostBucket MaxBucketOfList = NeverBucket;
+  std::vector<ListedVertex> WaitingVertices,
+    RetriedVertices; // for the next batch; of the one being filled
   // of each vertex, the last batch that has it in a closed ring
   std::vector<std::uint32_t> ReservedBy;
-  std::uint32_t Batch = 0;
-  std::vector<Box> Changed; // by the collapses of this batch
+  std::uint32_t BatchNumber = 0;
+  std::vector<Box> ChangedBoxes; // by the collapses of this batch
 };
 }
 

@@ -13,7 +13,7 @@ void BlockSweep::RenewAll(Index first, Index last)
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   for (VertexId v = first; v < last; ++v)
   {
-    if (mesh.Outgoing(v) != None && !mesh.IsConstrained(v) && this->Known.TakeChange(v))
+    if (mesh.Outgoing(v) != None && !mesh.IsConstrained(v) && this->Data.TakeChange(v))
     {
       this->Lists.Renew(v, {});
     }
@@ -26,21 +26,21 @@ void BlockSweep::RenewAll(Index first, Index last)
 void BlockSweep::LookAhead(std::size_t at)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const std::size_t size = this->Ready.size();
-  if (at + Ahead < size)
+  const std::size_t size = this->List.size();
+  if (at + PrefetchDistance < size)
   {
-    Prefetch(&mesh.Record(this->Ready[at + Ahead]));
+    Prefetch(&mesh.Record(this->List[at + PrefetchDistance]));
   }
-  if (at + Ahead - 1 < size)
+  if (at + PrefetchDistance - 1 < size)
   {
-    Index& cursor = this->Cursors[(at + Ahead - 1) % Ahead];
-    cursor = mesh.Outgoing(this->Ready[at + Ahead - 1]);
+    Index& cursor = this->Cursors[(at + PrefetchDistance - 1) % PrefetchDistance];
+    cursor = mesh.Outgoing(this->List[at + PrefetchDistance - 1]);
     Prefetch(mesh.RecordOfFace(std::max(0, cursor)));
   }
-  for (std::size_t i = at + 2; i < std::min(at + Ahead - 1, size); ++i)
+  for (std::size_t i = at + 2; i < std::min(at + PrefetchDistance - 1, size); ++i)
   {
-    Index& cursor = this->Cursors[i % Ahead];
-    if (cursor != None && mesh.Origin(cursor) == this->Ready[i])
+    Index& cursor = this->Cursors[i % PrefetchDistance];
+    if (cursor != None && mesh.Origin(cursor) == this->List[i])
     {
       Prefetch(&mesh.Record(mesh.Target(cursor)));
       cursor = mesh.Twin(HalfEdgeMesh::Previous(cursor));
@@ -52,18 +52,18 @@ void BlockSweep::LookAhead(std::size_t at)
 //------------------------------------------------------------------------------
 /// The evaluated edges of the vertex at that position of the list. Those of the next vertex are
 /// gathered first, so that their data is prefetched meanwhile.
-VertexEdges& BlockSweep::EdgesOfReady(std::size_t at, CostBucket highest)
+VertexEdges& BlockSweep::EvaluatedEdges(std::size_t at, CostBucket highest)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  VertexEdges& edges = this->Gathered[at % 2];
-  if (edges.Vertex() != this->Ready[at])
+  VertexEdges& edges = this->GatheredEdges[at % 2];
+  if (edges.Vertex() != this->List[at])
   {
-    edges.Gather(mesh, this->Known, this->Ready[at], this->Task.Vertices);
+    edges.Gather(mesh, this->Data, this->List[at], this->Task.Vertices);
   }
-  if (at + 1 < this->Ready.size() && this->Known.Buckets[this->Ready[at + 1]] <= highest)
+  if (at + 1 < this->List.size() && this->Data.Buckets[this->List[at + 1]] <= highest)
   {
-    this->Gathered[(at + 1) % 2].Gather(
-      mesh, this->Known, this->Ready[at + 1], this->Task.Vertices);
+    this->GatheredEdges[(at + 1) % 2].Gather(
+      mesh, this->Data, this->List[at + 1], this->Task.Vertices);
   }
   if (edges.AreInside())
   {
@@ -77,16 +77,17 @@ VertexEdges& BlockSweep::EdgesOfReady(std::size_t at, CostBucket highest)
 bool BlockSweep::CollapseAt(VertexEdges& edges, CostBucket highest)
 {
   const VertexId vertex = edges.Vertex();
-  const CollapseSearch::Result found = this->Search.Find(edges, highest, this->Task, this->Space);
-  if (found.Of == CollapseSearch::Outcome::Accepted)
+  const CollapseSearch::Result found =
+    this->Search.Find(edges, highest, this->Task, this->Workspace);
+  if (found.Kind == CollapseSearch::Outcome::Accepted)
   {
-    const Edit edit = this->Space.Change.Requested;
-    const VertexId gone = this->MeshEditor.Mesh().Across(edit.Edge, edit.Keep);
-    this->MeshEditor.Apply(this->Space);
+    const Edit edit = this->Workspace.Change.Requested;
+    const VertexId gone = this->MeshEditor.Mesh().OtherEnd(edit.Edge, edit.Keep);
+    this->MeshEditor.Apply(this->Workspace);
     this->ForgetChanged();
-    this->Lists.Update(edit, gone, found.AccumulatedError, this->Space.Around);
+    this->Lists.Update(edit, gone, found.AccumulatedError, this->Workspace.Neighborhood);
   }
-  else if (found.Of == CollapseSearch::Outcome::Deferred)
+  else if (found.Kind == CollapseSearch::Outcome::Deferred)
   {
     this->Defer(vertex);
   }
@@ -94,15 +95,15 @@ bool BlockSweep::CollapseAt(VertexEdges& edges, CostBucket highest)
   {
     this->Lists.Reject(vertex, found.Bucket, found.IsLasting);
   }
-  return found.Of == CollapseSearch::Outcome::Accepted;
+  return found.Kind == CollapseSearch::Outcome::Accepted;
 }
 
 //------------------------------------------------------------------------------
 /// What was gathered ahead may have lost an edge.
 void BlockSweep::ForgetChanged()
 {
-  const EdgeNeighborhood& around = this->Space.Around;
-  for (VertexEdges& edges : this->Gathered)
+  const EdgeNeighborhood& around = this->Workspace.Neighborhood;
+  for (VertexEdges& edges : this->GatheredEdges)
   {
     const VertexId v = edges.Vertex();
     if (v == around.Start || v == around.End ||
@@ -116,22 +117,22 @@ void BlockSweep::ForgetChanged()
 //------------------------------------------------------------------------------
 void BlockSweep::Defer(VertexId vertex)
 {
-  this->Postponed.push_back({ vertex, this->Known.Buckets[vertex] });
-  this->Known.Buckets[vertex] = NeverBucket;
+  this->DeferredVertices.push_back({ vertex, this->Data.Buckets[vertex] });
+  this->Data.Buckets[vertex] = NeverBucket;
 }
 
 //------------------------------------------------------------------------------
 /// Deferred vertices that have not been collapsed since get their bucket back.
 void BlockSweep::Restore()
 {
-  for (const OldBucket& old : this->Postponed)
+  for (const OldBucket& old : this->DeferredVertices)
   {
     const bool isThere = this->MeshEditor.Mesh().Outgoing(old.Vertex) != None;
-    if (isThere && this->Known.Buckets[old.Vertex] == NeverBucket)
+    if (isThere && this->Data.Buckets[old.Vertex] == NeverBucket)
     {
-      this->Known.Buckets[old.Vertex] = old.Bucket;
+      this->Data.Buckets[old.Vertex] = old.Bucket;
     }
   }
-  this->Postponed.clear();
+  this->DeferredVertices.clear();
 }
 }

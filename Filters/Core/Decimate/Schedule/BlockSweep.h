@@ -30,12 +30,12 @@ namespace bonedecimate
 class BlockSweep
 {
 public:
-  BlockSweep(Editor& editor, const EdgeEvaluator& evaluate, VertexBuckets& buckets)
+  BlockSweep(Editor& editor, const EdgeEvaluator& evaluate, SweepData& data)
     : MeshEditor(editor)
     , Evaluate(evaluate)
-    , Known(buckets)
-    , Lists(editor.Mesh(), evaluate, buckets)
-    , Search(editor, buckets)
+    , Data(data)
+    , Lists(editor.Mesh(), evaluate, data)
+    , Search(editor, data)
   {
   }
 
@@ -43,16 +43,17 @@ public:
   /// in.
   void RenewAll(Index first, Index last);
 
-  /// @param goOn Called after every collapse.
-  /// @param pulse Called before every vertex; both return whether the sweep continues.
-  template <typename GoOn, typename Pulse>
-  void Run(const BlockTask& task, const GoOn& goOn, const Pulse& pulse);
+  /// @param afterCollapse Called after every collapse.
+  /// @param beforeVertex Called before every vertex; both return whether the sweep continues.
+  template <typename AfterCollapse, typename BeforeVertex>
+  void Run(
+    const BlockTask& task, const AfterCollapse& afterCollapse, const BeforeVertex& beforeVertex);
 
   /// Totals of the edits since the last call, for Editor::Settle.
-  Tally& Counted() { return this->Space.Counted; }
+  Tally& Counts() { return this->Workspace.Counts; }
 
 private:
-  VertexEdges& EdgesOfReady(std::size_t at, CostBucket highest);
+  VertexEdges& EvaluatedEdges(std::size_t at, CostBucket highest);
   bool CollapseAt(VertexEdges& edges, CostBucket highest);
   void ForgetChanged();
   void LookAhead(std::size_t at);
@@ -61,52 +62,53 @@ private:
 
   Editor& MeshEditor;
   const EdgeEvaluator& Evaluate;
-  VertexBuckets& Known;
+  SweepData& Data;
   BlockTask Task;
   VertexLists Lists;
   CollapseSearch Search;
-  Workspace Space;
-  VertexEdges Gathered[2]; // of one vertex and the next
-  std::vector<Index> Ready;
-  static constexpr std::size_t Ahead = 8; // vertices
-  std::array<Index, Ahead> Cursors{};     // half-edges at the next vertices of Ready
+  EditWorkspace Workspace;
+  VertexEdges GatheredEdges[2]; // of one vertex and the next
+  std::vector<Index> List;
+  static constexpr std::size_t PrefetchDistance = 8; // vertices
+  std::array<Index, PrefetchDistance> Cursors{};     // half-edges at the next vertices of Ready
   struct OldBucket
   {
     Index Vertex;
     CostBucket Bucket;
   };
-  std::vector<OldBucket> Postponed;
+  std::vector<OldBucket> DeferredVertices;
 };
 
-template <typename GoOn, typename Pulse>
-void BlockSweep::Run(const BlockTask& task, const GoOn& goOn, const Pulse& pulse)
+template <typename AfterCollapse, typename BeforeVertex>
+void BlockSweep::Run(
+  const BlockTask& task, const AfterCollapse& afterCollapse, const BeforeVertex& beforeVertex)
 {
   this->Task = task;
-  this->Space.Change.Range = task.Vertices;
-  this->Space.Change.Workers = task.Workers;
+  this->Workspace.Change.Range = task.Vertices;
+  this->Workspace.Change.Workers = task.Workers;
   this->Lists.Fill(task);
   Index left = task.Collapses;
   while (left > 0)
   {
-    const CostBucket highest = this->Lists.TakeLowest(this->Ready);
-    if (this->Ready.empty())
+    const CostBucket highest = this->Lists.TakeLowest(this->List);
+    if (this->List.empty())
     {
       break;
     }
     this->Cursors.fill(None);
-    this->Space.Change.Rank = highest;
-    for (std::size_t i = 0; i < this->Ready.size() && left > 0; ++i)
+    this->Workspace.Change.Rank = highest;
+    for (std::size_t i = 0; i < this->List.size() && left > 0; ++i)
     {
-      if (!pulse())
+      if (!beforeVertex())
       {
         left = 0;
         break;
       }
       this->LookAhead(i);
-      if (this->Known.Buckets[this->Ready[i]] <= highest &&
-        this->CollapseAt(this->EdgesOfReady(i, highest), highest))
+      if (this->Data.Buckets[this->List[i]] <= highest &&
+        this->CollapseAt(this->EvaluatedEdges(i, highest), highest))
       {
-        left = goOn() ? left - 1 : 0;
+        left = afterCollapse() ? left - 1 : 0;
       }
     }
   }

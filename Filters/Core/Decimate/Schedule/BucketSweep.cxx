@@ -26,9 +26,9 @@ constexpr Index BlocksForRounds = 8; // that are worth it
 constexpr double RoundFraction = 0.7;
 constexpr int FirstStep = 2 * BucketsPerDoubling; // by which the limit is raised
 /// To the monitor, of a sweep of the whole mesh: some milliseconds.
-constexpr Index CollapsesBetweenWords = 1024;
+constexpr Index CollapsesPerReport = 1024;
 /// The same where edits are proved, in vertices that are looked at.
-constexpr Index VerticesBetweenWords = 64;
+constexpr Index VerticesPerReport = 64;
 }
 
 BucketSweep::BucketSweep(
@@ -36,31 +36,31 @@ BucketSweep::BucketSweep(
   : MeshEditor(editor)
   , End(editor, {})
   , Threads(editor.HasHook() ? 1 : threads)
-  , FacesAtFirst(editor.Mesh().NumberOfFaces())
+  , InitialFaces(editor.Mesh().NumberOfFaces())
   , PositionsTried(
       editor.Bound() != nullptr ? settings.PositionsTried : settings.PositionsTriedForVoxels)
   , Evaluate(policies)
 {
   const std::size_t count = static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots());
-  this->Known.Buckets.assign(count, NeverBucket);
-  this->Known.AccumulatedErrors.assign(count, 0.0F);
-  const double length = editor.Mesh().LengthAtFirst() / editor.Mesh().Unit();
-  this->Known.CostFactor = CostNormalization(length);
+  this->Data.Buckets.assign(count, NeverBucket);
+  this->Data.AccumulatedErrors.assign(count, 0.0F);
+  const double length = editor.Mesh().InitialEdgeLength() / editor.Mesh().Unit();
+  this->Data.CostFactor = CostNormalization(length);
   // A proved bound needs no penalty.
-  this->Known.SpikeFactor = editor.Bound() != nullptr
+  this->Data.SpikeFactor = editor.Bound() != nullptr
     ? 0.0
-    : SpikeFactor(settings.SpikeWeight, this->FacesAtFirst, length, this->Known.CostFactor);
+    : SpikeFactor(settings.SpikeWeight, this->InitialFaces, length, this->Data.CostFactor);
 }
 
 //------------------------------------------------------------------------------
 StopReason BucketSweep::Run(const StopTargets& stops, const Monitor& monitor)
 {
   this->Targets = stops;
-  this->End.Set(stops);
+  this->End.Restart(stops);
   for (VertexId v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
   {
-    this->Known.Buckets[v] =
-      this->MeshEditor.Mesh().Outgoing(v) == None ? NeverBucket : this->Known.Buckets[v];
+    this->Data.Buckets[v] =
+      this->MeshEditor.Mesh().Outgoing(v) == None ? NeverBucket : this->Data.Buckets[v];
   }
   if (this->MeshEditor.LimitsEdits())
   {
@@ -104,7 +104,7 @@ bool BucketSweep::RunRounds(const Monitor& monitor)
   CostBucket limit = this->FirstLimit(this->RemainingCollapses());
   int step = FirstStep;
   bool goesUp = true;
-  for (int round = 0; goesUp && this->RemainingCollapses() > this->FacesAtFirst / 128; ++round)
+  for (int round = 0; goesUp && this->RemainingCollapses() > this->InitialFaces / 128; ++round)
   {
     const Index wanted = this->RemainingCollapses();
     if (!this->Round(limit, monitor))
@@ -127,10 +127,10 @@ bool BucketSweep::RunRounds(const Monitor& monitor)
 bool BucketSweep::RenewAll(const Monitor& monitor)
 {
   return ForEachChunk(
-    this->Known.Buckets.size(), this->Threads, [&](double) { return this->End.TellNow(monitor); },
+    this->Data.Buckets.size(), this->Threads, [&](double) { return this->End.ReportNow(monitor); },
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      BlockSweep(this->MeshEditor, this->Evaluate, this->Known)
+      BlockSweep(this->MeshEditor, this->Evaluate, this->Data)
         .RenewAll(static_cast<Index>(first), static_cast<Index>(last));
     });
 }
@@ -147,7 +147,7 @@ Index BucketSweep::RemainingCollapses() const
 CostBucket BucketSweep::FirstLimit(Index collapses) const
 {
   std::vector<Index> histogram(NeverBucket + 1, 0);
-  for (const CostBucket bucket : this->Known.Buckets)
+  for (const CostBucket bucket : this->Data.Buckets)
   {
     ++histogram[bucket];
   }
@@ -177,11 +177,11 @@ bool BucketSweep::SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& mon
   const std::vector<BlockTask> blocks = this->Blocks(limit, cut);
   std::vector<Tally> counted(blocks.size());
   std::atomic<Index> removed{ 0 };
-  std::atomic<bool> goesOn{ true };
+  std::atomic<bool> shouldContinue{ true };
   const auto tell = [&]
   {
-    goesOn = goesOn && this->End.TellNow(monitor, removed);
-    return goesOn.load();
+    shouldContinue = shouldContinue && this->End.ReportNow(monitor, removed);
+    return shouldContinue.load();
   };
   const bool isSlow = this->MeshEditor.LimitsEdits();
   const std::thread::id teller = std::this_thread::get_id();
@@ -191,15 +191,15 @@ bool BucketSweep::SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& mon
     {
       const bool tells = std::this_thread::get_id() == teller;
       Index looked = 0;
-      const auto pulse = [&]
+      const auto beforeVertex = [&]
       {
-        const bool isTime = isSlow && ++looked % VerticesBetweenWords == 0;
-        return !isTime || (tells ? tell() : goesOn.load());
+        const bool isTime = isSlow && ++looked % VerticesPerReport == 0;
+        return !isTime || (tells ? tell() : shouldContinue.load());
       };
-      BlockSweep block(this->MeshEditor, this->Evaluate, this->Known);
+      BlockSweep block(this->MeshEditor, this->Evaluate, this->Data);
       block.Run(
-        blocks[i], [] { return true; }, pulse);
-      counted[i] = std::exchange(block.Counted(), {});
+        blocks[i], [] { return true; }, beforeVertex);
+      counted[i] = std::exchange(block.Counts(), {});
       removed += counted[i].RemovedFaces;
     });
   this->MeshEditor.Settle(counted.data(), counted.size());
@@ -238,8 +238,8 @@ std::vector<BlockTask> BucketSweep::Blocks(CostBucket limit, BlockCut cut) const
     task.Vertices = { std::max(0, first), std::min(slots, first + cut.Size) };
     task.Limit = limit;
     task.PositionsTried = this->TriesAll ? this->PositionsTried : 1;
-    task.Collapses = CountUpTo(limit, this->Known.Buckets.data() + task.Vertices.First,
-      this->Known.Buckets.data() + task.Vertices.Last);
+    task.Collapses = CountUpTo(limit, this->Data.Buckets.data() + task.Vertices.First,
+      this->Data.Buckets.data() + task.Vertices.Last);
     ready += task.Collapses;
     blocks.push_back(task);
   }
@@ -269,7 +269,7 @@ BlockTask BucketSweep::WholeTask(CostBucket limit, Index faces) const
 /// False if the monitor stopped it.
 bool BucketSweep::Tail(const Monitor& monitor)
 {
-  const Index renewBelow = this->FacesAtFirst / RenewBelowDivisor;
+  const Index renewBelow = this->InitialFaces / RenewBelowDivisor;
   return this->SweepWhole(LastBucket, renewBelow, false, monitor) &&
     (this->End.IsReached() || this->SweepWhole(LastBucket, 0, true, monitor));
 }
@@ -278,28 +278,29 @@ bool BucketSweep::Tail(const Monitor& monitor)
 /// The mesh as one block, down to so many faces. False if the monitor stopped it.
 bool BucketSweep::SweepWhole(CostBucket limit, Index faces, bool renewsRing, const Monitor& monitor)
 {
-  BlockSweep whole(this->MeshEditor, this->Evaluate, this->Known);
+  BlockSweep whole(this->MeshEditor, this->Evaluate, this->Data);
   BlockTask task = this->WholeTask(limit, faces);
   task.RenewsRing = renewsRing;
-  bool goesOn = true;
+  bool shouldContinue = true;
   Index collapses = 0;
   Index looked = 0;
-  const auto goOn = [&]
+  const auto afterCollapse = [&]
   {
-    this->MeshEditor.Settle(&whole.Counted());
-    const bool isTime = ++collapses % CollapsesBetweenWords == 0;
-    goesOn = isTime ? this->End.TellNow(monitor) : this->End.Tell(monitor);
-    return goesOn && !this->End.IsReached() && this->MeshEditor.Mesh().NumberOfFaces() > faces;
+    this->MeshEditor.Settle(&whole.Counts());
+    const bool isTime = ++collapses % CollapsesPerReport == 0;
+    shouldContinue = isTime ? this->End.ReportNow(monitor) : this->End.Report(monitor);
+    return shouldContinue && !this->End.IsReached() &&
+      this->MeshEditor.Mesh().NumberOfFaces() > faces;
   };
   const bool isSlow = this->MeshEditor.LimitsEdits();
-  const auto pulse = [&]
+  const auto beforeVertex = [&]
   {
-    const bool isTime = isSlow && ++looked % VerticesBetweenWords == 0;
-    goesOn = goesOn && (!isTime || this->End.TellNow(monitor));
-    return goesOn;
+    const bool isTime = isSlow && ++looked % VerticesPerReport == 0;
+    shouldContinue = shouldContinue && (!isTime || this->End.ReportNow(monitor));
+    return shouldContinue;
   };
-  whole.Run(task, goOn, pulse);
-  this->MeshEditor.Settle(&whole.Counted());
-  return goesOn;
+  whole.Run(task, afterCollapse, beforeVertex);
+  this->MeshEditor.Settle(&whole.Counts());
+  return shouldContinue;
 }
 }

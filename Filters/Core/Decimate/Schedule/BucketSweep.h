@@ -19,7 +19,7 @@
  *     sweep the whole mesh as one block, without a limit, down to the exact number         the tail
  *     target not reached:  repeat, unless nothing was collapsed since the buckets were computed
  *
- * If every edit is proved (ErrorBound), the final number of faces is not known in advance:
+ * If every edit is proved (ErrorBound), the final number of faces is not data in advance:
  *
  *     draft:    as pass 0, with edits that are proved together at its end (Decimate/Edit/Draft.h);
  *               once for an editor
@@ -97,8 +97,8 @@ private:
   StopTargets Targets;
   StopCriterion End;
   int Threads;
-  VertexBuckets Known;
-  Index FacesAtFirst;
+  SweepData Data;
+  Index InitialFaces;
   int PositionsTried;
   EdgeEvaluator Evaluate;
   bool TriesAll = false; // otherwise only the best position

@@ -16,10 +16,10 @@ constexpr int BucketsAfterRejection = 4 * BucketsPerDoubling;
 }
 
 CollapseSearch::Result CollapseSearch::Find(
-  VertexEdges& edges, CostBucket highest, const BlockTask& task, Workspace& space)
+  VertexEdges& edges, CostBucket highest, const BlockTask& task, EditWorkspace& workspace)
 {
   this->Task = &task;
-  this->Space = &space;
+  this->Workspace = &workspace;
   this->IsLasting = true;
   const VertexId vertex = edges.Vertex();
   edges.Forget();
@@ -30,7 +30,7 @@ CollapseSearch::Result CollapseSearch::Find(
   CostBucket rejectedUntil = NeverBucket;
   bool crosses = false;
   CostBucket bucket = BucketOf(edges.MinCost());
-  for (; this->Known.IsRejected(vertex) && bucket < this->Known.Buckets[vertex];
+  for (; this->Data.IsRejected(vertex) && bucket < this->Data.Buckets[vertex];
        bucket = BucketOf(edges.MinCost()))
   {
     edges.TakeCheapest();
@@ -64,41 +64,41 @@ CollapseSearch::Result CollapseSearch::Find(
 /// Whether all edges of the vertex were tried with all positions, and nothing has changed since.
 bool CollapseSearch::WasTried(VertexId vertex) const
 {
-  return this->Task->TriesAll() && this->Known.Buckets[vertex] == NeverBucket &&
-    this->Known.IsRejected(vertex);
+  return this->Task->TriesAll() && this->Data.Buckets[vertex] == NeverBucket &&
+    this->Data.IsRejected(vertex);
 }
 
 //------------------------------------------------------------------------------
 /// TooFar: not proved, or rejected while all positions are tried. TooCostly: rejected for another
 /// reason than Crossing, or the spike penalty is above the current bucket.
 CollapseSearch::Trial CollapseSearch::TryEdge(
-  VertexId vertex, const VertexEdges::Candidate& candidate, float mostCost)
+  VertexId vertex, const VertexEdges::Candidate& candidate, float maxCost)
 {
   // An edge also depends on what is around its other end.
-  if (this->Known.IsRejected(vertex) &&
-    this->WasTried(this->MeshEditor.Mesh().Across(candidate.Edge, vertex)))
+  if (this->Data.IsRejected(vertex) &&
+    this->WasTried(this->MeshEditor.Mesh().OtherEnd(candidate.Edge, vertex)))
   {
     return Trial::TooFar;
   }
-  const Decision decision = this->MeshEditor.Gather(candidate.Edge, *this->Space);
+  const Decision decision = this->MeshEditor.Gather(candidate.Edge, *this->Workspace);
   if (decision.IsRejected())
   {
     return this->Task->TriesAll() ? Trial::TooFar : Trial::TooCostly;
   }
-  const std::vector<Index>& ring = this->Space->Around.Ring;
+  const std::vector<Index>& ring = this->Workspace->Neighborhood.Ring;
   const bool isDeferred = decision.IsDeferred() ||
     !std::all_of(
       ring.begin(), ring.end(), [this](VertexId v) { return this->Task->Vertices.Contains(v); });
   return isDeferred ? Trial::Deferred
-                    : this->TryPositions(this->EditOf(vertex, candidate), mostCost);
+                    : this->TryPositions(this->EditOf(vertex, candidate), maxCost);
 }
 
 //------------------------------------------------------------------------------
 /// Tries the best position and, if that cannot be proved and all are tried, the alternatives.
-CollapseSearch::Trial CollapseSearch::TryPositions(const Edit& best, float mostCost)
+CollapseSearch::Trial CollapseSearch::TryPositions(const Edit& best, float maxCost)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const VertexId other = mesh.Across(best.Edge, best.Keep);
+  const VertexId other = mesh.OtherEnd(best.Edge, best.Keep);
   const Vector3 start = mesh.Position(best.Keep);
   const Vector3 end = mesh.Position(other);
   const int count = best.KeepStays ? 1 : this->Task->PositionsTried;
@@ -109,14 +109,14 @@ CollapseSearch::Trial CollapseSearch::TryPositions(const Edit& best, float mostC
     edit.Position =
       i == 0 ? best.Position : AlternatePositions[i - 1].Of(best.Position, start, end);
     this->AccumulatedError = this->AccumulatedErrorAfter(edit);
-    if (SpikePenalty(this->Known.SpikeFactor, mesh.NumberOfFaces(), this->AccumulatedError) >
-      mostCost)
+    if (SpikePenalty(this->Data.SpikeFactor, mesh.NumberOfFaces(), this->AccumulatedError) >
+      maxCost)
     {
       this->IsLasting = false; // the penalty may be below the next bucket
       return Trial::TooCostly;
     }
-    this->Space->Change.AccumulatedError = this->AccumulatedError * mesh.Unit();
-    decision = this->MeshEditor.Check(edit, *this->Space);
+    this->Workspace->Change.AccumulatedError = this->AccumulatedError * mesh.Unit();
+    decision = this->MeshEditor.Check(edit, *this->Workspace);
     if (decision.IsAccepted())
     {
       return Trial::Accepted;
@@ -137,16 +137,16 @@ CollapseSearch::Trial CollapseSearch::TryPositions(const Edit& best, float mostC
 double CollapseSearch::AccumulatedErrorAfter(const Edit& edit)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const EdgeNeighborhood& around = this->Space->Around;
+  const EdgeNeighborhood& around = this->Workspace->Neighborhood;
   const double unit = mesh.Unit();
-  Fan& fan = this->Space->Faces.Current();
+  Fan& fan = this->Workspace->FanArrays.Current();
   const Vector3 position = edit.Position - mesh.Position(around.Start);
   for (int k = 0; k < 3; ++k)
   {
     fan.Position[k] = position[k];
   }
-  return this->Compute.LeaveBehind(fan, unit * this->Known.AccumulatedErrors[around.Start],
-           unit * this->Known.AccumulatedErrors[around.End]) /
+  return this->KernelSet.AccumulateError(fan, unit * this->Data.AccumulatedErrors[around.Start],
+           unit * this->Data.AccumulatedErrors[around.End]) /
     unit;
 }
 
@@ -156,7 +156,7 @@ double CollapseSearch::AccumulatedErrorAfter(const Edit& edit)
 Edit CollapseSearch::EditOf(VertexId vertex, const VertexEdges::Candidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const VertexId other = mesh.Across(candidate.Edge, vertex);
+  const VertexId other = mesh.OtherEnd(candidate.Edge, vertex);
   if (mesh.Constraint(vertex) != mesh.Constraint(other))
   {
     const VertexId stays =

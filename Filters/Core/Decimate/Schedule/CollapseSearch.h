@@ -45,23 +45,24 @@ public:
   };
   struct Result
   {
-    Outcome Of = Outcome::Rejected;
+    Outcome Kind = Outcome::Rejected;
     CostBucket Bucket = NeverBucket; ///< Bucket of the vertex if it is rejected.
     double AccumulatedError = 0.0;   ///< Units, of the merged vertex if it is accepted.
     bool IsLasting = true; ///< Whether a rejection holds until something around the vertex changes.
   };
 
-  CollapseSearch(const Editor& editor, const VertexBuckets& buckets)
+  CollapseSearch(const Editor& editor, const SweepData& data)
     : MeshEditor(editor)
-    , Known(buckets)
-    , Compute(BestKernels())
+    , Data(data)
+    , KernelSet(BestKernels())
   {
   }
 
   /// @param edges The edges of the vertex, evaluated if they are inside; forgotten afterwards.
-  /// @param space Holds an accepted collapse, for Editor::Apply. Its change has the range and the
+  /// @param workspace Holds an accepted collapse, for Editor::Apply. Its change has the range and the
   ///   workers of the task.
-  Result Find(VertexEdges& edges, CostBucket highest, const BlockTask& task, Workspace& space);
+  Result Find(
+    VertexEdges& edges, CostBucket highest, const BlockTask& task, EditWorkspace& workspace);
 
 private:
   enum class Trial
@@ -73,16 +74,16 @@ private:
     Deferred
   };
   bool WasTried(VertexId vertex) const;
-  Trial TryEdge(VertexId vertex, const VertexEdges::Candidate& candidate, float mostCost);
-  Trial TryPositions(const Edit& best, float mostCost);
+  Trial TryEdge(VertexId vertex, const VertexEdges::Candidate& candidate, float maxCost);
+  Trial TryPositions(const Edit& best, float maxCost);
   Edit EditOf(VertexId vertex, const VertexEdges::Candidate& candidate) const;
   double AccumulatedErrorAfter(const Edit& edit);
 
   const Editor& MeshEditor;
-  const VertexBuckets& Known;
-  const Kernels& Compute;
+  const SweepData& Data;
+  const Kernels& KernelSet;
   const BlockTask* Task = nullptr; // of the current search, as what follows
-  Workspace* Space = nullptr;
+  EditWorkspace* Workspace = nullptr;
   double AccumulatedError = 0.0; // units, of the position tried last
   bool IsLasting = true;         // of the rejections so far
 };

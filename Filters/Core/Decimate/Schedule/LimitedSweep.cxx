@@ -12,7 +12,7 @@ namespace
 constexpr Index MinOfPass = 128;
 }
 
-/// The final number of faces is not known. Rejected edges wait for the next pass, which tries all
+/// The final number of faces is not data. Rejected edges wait for the next pass, which tries all
 /// positions.
 StopReason BucketSweep::RunProved(const Monitor& monitor)
 {
@@ -33,12 +33,12 @@ StopReason BucketSweep::RunProved(const Monitor& monitor)
     this->TriesAll = pass > 0;
     if (pass < 2)
     {
-      this->Known.NoteAllChanged();
+      this->Data.NoteAllChanged();
     }
     const bool isDone = this->RenewAll(monitor) &&
       (this->MeshEditor.Bound() == nullptr
           ? this->PassInRounds(monitor)
-          : BatchSweep(this->MeshEditor, this->Evaluate, this->Known, this->Threads)
+          : BatchSweep(this->MeshEditor, this->Evaluate, this->Data, this->Threads)
               .Run(this->WholeTask(LastBucket, this->Targets.Faces), this->End, monitor));
     if (!isDone)
     {
@@ -55,12 +55,12 @@ bool BucketSweep::MakeDraft(const Monitor& monitor)
   const auto collapse = [&]
   {
     this->TriesAll = false;
-    this->Known.NoteAllChanged();
+    this->Data.NoteAllChanged();
     return this->RenewAll(monitor) && this->PassInRounds(monitor);
   };
   return this->End.IsReached() ||
     this->MeshEditor.MakeDraft(
-      this->Threads, collapse, [&](double) { return this->End.TellNow(monitor); });
+      this->Threads, collapse, [&](double) { return this->End.ReportNow(monitor); });
 }
 
 //------------------------------------------------------------------------------
@@ -69,13 +69,13 @@ bool BucketSweep::PassInRounds(const Monitor& monitor)
 {
   const Index half = this->MeshEditor.Mesh().NumberOfFaces() / 4; // of the vertices
   CostBucket limit = this->HasRounds() && !this->TriesAll ? this->FirstLimit(half) : LastBucket;
-  bool goesOn = !this->HasRounds() || this->Round(limit, monitor);
-  while (goesOn && limit < LastBucket && !this->End.IsReached())
+  bool shouldContinue = !this->HasRounds() || this->Round(limit, monitor);
+  while (shouldContinue && limit < LastBucket && !this->End.IsReached())
   {
     limit = Raised(limit, MaxStep);
-    goesOn = this->Round(limit, monitor);
+    shouldContinue = this->Round(limit, monitor);
   }
-  return goesOn &&
+  return shouldContinue &&
     (this->End.IsReached() || this->SweepWhole(LastBucket, this->Targets.Faces, false, monitor));
 }
 }

@@ -30,16 +30,16 @@ StopTargets StopTargetsOf(const Options& options, Index faces, bool isLimited)
 StopCriterion::StopCriterion(const Editor& editor, const StopTargets& stops)
   : MeshEditor(editor)
   , Targets(stops)
-  , FacesAtFirst(editor.Mesh().NumberOfFaces())
+  , InitialFaces(editor.Mesh().NumberOfFaces())
 {
 }
 
 //------------------------------------------------------------------------------
-void StopCriterion::Set(const StopTargets& stops)
+void StopCriterion::Restart(const StopTargets& stops)
 {
   this->Targets = stops;
-  this->FacesAtFirst = this->MeshEditor.Mesh().NumberOfFaces();
-  this->Told = 0.0;
+  this->InitialFaces = this->MeshEditor.Mesh().NumberOfFaces();
+  this->Reported = 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -66,25 +66,25 @@ StopReason StopCriterion::Reason() const
 }
 
 //------------------------------------------------------------------------------
-/// Measured in faces. With an error target, the final number of faces is not known, so the run may
+/// Measured in faces. With an error target, the final number of faces is not data, so the run may
 /// end early.
 double StopCriterion::FractionDone(Index unsettled) const
 {
   const Index end = this->Targets.Error > 0.0 ? 0 : this->Targets.Faces;
-  const double removed = this->FacesAtFirst - this->MeshEditor.Mesh().NumberOfFaces() + unsettled;
-  return std::min(1.0, removed / std::max(1, this->FacesAtFirst - end));
+  const double removed = this->InitialFaces - this->MeshEditor.Mesh().NumberOfFaces() + unsettled;
+  return std::min(1.0, removed / std::max(1, this->InitialFaces - end));
 }
 
 //------------------------------------------------------------------------------
-bool StopCriterion::Tell(const Monitor& monitor)
+bool StopCriterion::Report(const Monitor& monitor)
 {
-  return this->FractionDone(0) < this->Told + ProgressStep || this->TellNow(monitor);
+  return this->FractionDone(0) < this->Reported + ProgressStep || this->ReportNow(monitor);
 }
 
 //------------------------------------------------------------------------------
-bool StopCriterion::TellNow(const Monitor& monitor, Index unsettled)
+bool StopCriterion::ReportNow(const Monitor& monitor, Index unsettled)
 {
-  this->Told = std::max(this->Told, this->FractionDone(unsettled));
-  return monitor(this->Told);
+  this->Reported = std::max(this->Reported, this->FractionDone(unsettled));
+  return monitor(this->Reported);
 }
 }

@@ -32,18 +32,18 @@ public:
   StopCriterion(const Editor& editor, const StopTargets& stops);
 
   /// Restarts from the current mesh with other targets.
-  void Set(const StopTargets& stops);
+  void Restart(const StopTargets& stops);
 
   bool IsReached() const;
 
   /// Why it is reached, while IsReached().
   StopReason Reason() const;
 
-  /// Reports to the monitor every half percent; TellNow reports at once. False if the monitor
+  /// Reports to the monitor every half percent; ReportNow reports at once. False if the monitor
   /// requests a stop.
-  bool Tell(const Monitor& monitor);
+  bool Report(const Monitor& monitor);
   /// @param unsettled Faces that workers have removed and the mesh has not counted yet.
-  bool TellNow(const Monitor& monitor, Index unsettled = 0);
+  bool ReportNow(const Monitor& monitor, Index unsettled = 0);
 
 private:
   bool ErrorIsReached() const;
@@ -51,8 +51,8 @@ private:
 
   const Editor& MeshEditor;
   StopTargets Targets;
-  Index FacesAtFirst;
-  double Told = 0.0;
+  Index InitialFaces;
+  double Reported = 0.0;
 };
 }
 

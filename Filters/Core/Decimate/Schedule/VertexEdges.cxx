@@ -20,13 +20,13 @@ constexpr std::size_t MaxBatches = MaxFacesOfEdit / EdgeBatch::Size + 1;
 
 //------------------------------------------------------------------------------
 void VertexEdges::Gather(
-  const HalfEdgeMesh& mesh, const VertexBuckets& known, VertexId vertex, VertexRange block)
+  const HalfEdgeMesh& mesh, const SweepData& data, VertexId vertex, VertexRange block)
 {
-  const VertexConstraint kind = mesh.Constraint(vertex);
-  const float* errors = known.AccumulatedErrors.data();
+  const VertexConstraint constraint = mesh.Constraint(vertex);
+  const float* errors = data.AccumulatedErrors.data();
   const float error = errors[vertex];
-  this->Middle = vertex;
-  this->Used = 0;
+  this->Center = vertex;
+  this->UsedBatches = 0;
   bool inside = true;
   Batch* batch = nullptr;
   int at = EdgeBatch::Size;
@@ -34,53 +34,53 @@ void VertexEdges::Gather(
     [&](HalfEdgeId h, Index other)
     {
       inside = inside && block.Contains(other);
-      if (!inside || this->Used > MaxBatches)
+      if (!inside || this->UsedBatches > MaxBatches)
       {
         return false; // The vertices that follow may be changing just now.
       }
       if (at == EdgeBatch::Size)
       {
-        batch = &this->Begin(this->Used++, mesh, known.CostFactor);
-        batch->Requested.First = &mesh.Record(vertex);
+        batch = &this->BeginBatch(this->UsedBatches++, mesh, data.CostFactor);
+        batch->Input.First = &mesh.Record(vertex);
         at = 0;
       }
       const VertexRecord* record = &mesh.Record(other);
       Prefetch(record);
-      EdgeBatch& requested = batch->Requested;
-      requested.Others[at] = record;
-      requested.Freedoms[at] =
-        static_cast<std::int32_t>(FreedomOf(kind, mesh.Constraint(other), mesh.Twin(h) == None));
-      requested.AccumulatedErrors[at] = std::max(error, errors[other]);
+      EdgeBatch& input = batch->Input;
+      input.Others[at] = record;
+      input.Freedoms[at] = static_cast<std::int32_t>(
+        FreedomOf(constraint, mesh.Constraint(other), mesh.Twin(h) == None));
+      input.AccumulatedErrors[at] = std::max(error, errors[other]);
       batch->Edges[at] = h;
-      requested.Count = ++at;
+      input.Count = ++at;
       return true;
     });
-  this->Used = this->Used > MaxBatches ? 0 : this->Used;
-  this->Inside = inside;
+  this->UsedBatches = this->UsedBatches > MaxBatches ? 0 : this->UsedBatches;
+  this->IsInside = inside;
 }
 
 //------------------------------------------------------------------------------
-VertexEdges::Batch& VertexEdges::Begin(
+VertexEdges::Batch& VertexEdges::BeginBatch(
   std::size_t batch, const HalfEdgeMesh& mesh, float costFactor)
 {
   if (batch == this->Batches.size())
   {
     this->Batches.emplace_back();
   }
-  EdgeBatch& requested = this->Batches[batch].Requested;
-  requested.Count = 0;
-  std::fill_n(requested.Freedoms, EdgeBatch::Size, static_cast<std::int32_t>(Freedom::Nowhere));
-  requested.PerUnit = 1.0 / mesh.Unit();
-  requested.CostFactor = costFactor;
+  EdgeBatch& input = this->Batches[batch].Input;
+  input.Count = 0;
+  std::fill_n(input.Freedoms, EdgeBatch::Size, static_cast<std::int32_t>(Freedom::Nowhere));
+  input.PerUnit = 1.0 / mesh.Unit();
+  input.CostFactor = costFactor;
   return this->Batches[batch];
 }
 
 //------------------------------------------------------------------------------
 void VertexEdges::Evaluate(const EdgeEvaluator& evaluate)
 {
-  for (std::size_t i = 0; i < this->Used; ++i)
+  for (std::size_t i = 0; i < this->UsedBatches; ++i)
   {
-    evaluate(this->Batches[i].Requested, this->Batches[i].Results);
+    evaluate(this->Batches[i].Input, this->Batches[i].Results);
   }
 }
 
@@ -88,9 +88,9 @@ void VertexEdges::Evaluate(const EdgeEvaluator& evaluate)
 float VertexEdges::MinCost() const
 {
   float least = Never;
-  for (std::size_t i = 0; i < this->Used; ++i)
+  for (std::size_t i = 0; i < this->UsedBatches; ++i)
   {
-    least = std::min(least, this->Batches[i].Results.Least);
+    least = std::min(least, this->Batches[i].Results.MinCost);
   }
   return least;
 }
@@ -100,7 +100,7 @@ VertexEdges::Candidate VertexEdges::TakeCheapest()
 {
   const float least = this->MinCost();
   Candidate taken;
-  for (std::size_t i = 0; i < this->Used && least < Never; ++i)
+  for (std::size_t i = 0; i < this->UsedBatches && least < Never; ++i)
   {
     EdgeResults& results = this->Batches[i].Results;
     float* at = std::find(results.Costs, results.Costs + EdgeBatch::Size, least);
@@ -113,10 +113,10 @@ VertexEdges::Candidate VertexEdges::TakeCheapest()
         taken.Move[k] = results.Moves[k][lane];
       }
       *at = Never;
-      results.Least = Never;
+      results.MinCost = Never;
       for (const float cost : results.Costs)
       {
-        results.Least = std::min(results.Least, cost);
+        results.MinCost = std::min(results.MinCost, cost);
       }
       break;
     }

@@ -18,7 +18,7 @@
 namespace bonedecimate
 {
 /// Data of a sweep for every vertex, beside the mesh.
-struct VertexBuckets
+struct SweepData
 {
   /// NeverBucket: removed, constrained, or without an edge to collapse.
   std::vector<CostBucket> Buckets;
@@ -75,15 +75,14 @@ public:
     float Move[3] = {}; ///< From the vertex, units.
   };
 
-  void Gather(
-    const HalfEdgeMesh& mesh, const VertexBuckets& known, VertexId vertex, VertexRange block);
+  void Gather(const HalfEdgeMesh& mesh, const SweepData& data, VertexId vertex, VertexRange block);
   void Evaluate(const EdgeEvaluator& evaluate);
 
   /// None after Forget.
-  Index Vertex() const { return this->Middle; }
-  void Forget() { this->Middle = None; }
+  Index Vertex() const { return this->Center; }
+  void Forget() { this->Center = None; }
   /// Whether no edge leads out of the block.
-  bool AreInside() const { return this->Inside; }
+  bool AreInside() const { return this->IsInside; }
   /// The least cost of the edges not taken yet; infinite if there is none.
   float MinCost() const;
   Candidate TakeCheapest();
@@ -91,15 +90,15 @@ public:
 private:
   struct Batch
   {
-    EdgeBatch Requested;
+    EdgeBatch Input;
     EdgeResults Results;
     Index Edges[EdgeBatch::Size];
   };
-  Batch& Begin(std::size_t batch, const HalfEdgeMesh& mesh, float costFactor);
+  Batch& BeginBatch(std::size_t batch, const HalfEdgeMesh& mesh, float costFactor);
 
-  Index Middle = None;
-  bool Inside = false;
-  std::size_t Used = 0;
+  Index Center = None;
+  bool IsInside = false;
+  std::size_t UsedBatches = 0;
   std::vector<Batch> Batches;
 };
 }

@@ -11,7 +11,7 @@ void VertexLists::Fill(const BlockTask& task)
   constexpr Index step = 32;
   this->Task = task;
   this->Lists.Clear();
-  const CostBucket* buckets = this->Known.Buckets.data();
+  const CostBucket* buckets = this->Data.Buckets.data();
   for (Index end = task.Vertices.Last; end > task.Vertices.First; end -= step)
   {
     const Index first = std::max(task.Vertices.First, end - step);
@@ -31,7 +31,7 @@ void VertexLists::Reject(VertexId vertex, CostBucket bucket, bool isLasting)
 {
   if (isLasting)
   {
-    this->Known.NoteRejection(vertex);
+    this->Data.NoteRejection(vertex);
   }
   this->SetBucket(vertex, bucket);
 }
@@ -39,7 +39,7 @@ void VertexLists::Reject(VertexId vertex, CostBucket bucket, bool isLasting)
 //------------------------------------------------------------------------------
 void VertexLists::SetBucket(VertexId vertex, CostBucket bucket)
 {
-  this->Known.Buckets[vertex] = bucket;
+  this->Data.Buckets[vertex] = bucket;
   if (bucket <= this->Task.Limit)
   {
     this->Lists.Add(vertex, bucket);
@@ -49,7 +49,7 @@ void VertexLists::SetBucket(VertexId vertex, CostBucket bucket)
 //------------------------------------------------------------------------------
 void VertexLists::Renew(VertexId vertex, VertexRange within)
 {
-  this->Edges.Gather(this->Mesh, this->Known, vertex, within);
+  this->Edges.Gather(this->Mesh, this->Data, vertex, within);
   this->Edges.Evaluate(this->Evaluate);
   this->SetBucket(vertex, BucketOf(this->Edges.MinCost()));
 }
@@ -58,17 +58,17 @@ void VertexLists::Renew(VertexId vertex, VertexRange within)
 void VertexLists::Update(
   const Edit& edit, VertexId gone, double accumulatedError, const EdgeNeighborhood& around)
 {
-  this->Known.AccumulatedErrors[edit.Keep] = static_cast<float>(accumulatedError);
-  this->Known.Buckets[gone] = NeverBucket;
+  this->Data.AccumulatedErrors[edit.Keep] = static_cast<float>(accumulatedError);
+  this->Data.Buckets[gone] = NeverBucket;
   this->Renew(edit.Keep, this->Task.Vertices);
-  this->Known.NoteChange(around.Ring);
-  this->Known.NoteChange({ edit.Keep });
+  this->Data.NoteChange(around.Ring);
+  this->Data.NoteChange({ edit.Keep });
   if (this->Task.RenewsRing)
   {
     this->Mesh.VisitEdges(edit.Keep,
       [&](HalfEdgeId h)
       {
-        const VertexId other = this->Mesh.Across(h, edit.Keep);
+        const VertexId other = this->Mesh.OtherEnd(h, edit.Keep);
         if (!this->Mesh.IsConstrained(other))
         {
           this->Renew(other, this->Task.Vertices);

@@ -22,10 +22,10 @@ namespace bonedecimate
 class VertexLists
 {
 public:
-  VertexLists(const HalfEdgeMesh& mesh, const EdgeEvaluator& evaluate, VertexBuckets& buckets)
+  VertexLists(const HalfEdgeMesh& mesh, const EdgeEvaluator& evaluate, SweepData& data)
     : Mesh(mesh)
     , Evaluate(evaluate)
-    , Known(buckets)
+    , Data(data)
   {
   }
 
@@ -55,7 +55,7 @@ private:
 
   const HalfEdgeMesh& Mesh;
   const EdgeEvaluator& Evaluate;
-  VertexBuckets& Known;
+  SweepData& Data;
   BlockTask Task;
   BucketLists Lists;
   VertexEdges Edges; // of the vertex renewed last

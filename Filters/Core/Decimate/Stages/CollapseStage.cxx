@@ -17,8 +17,8 @@ Index FacesOfSweep(const StageInput& input)
 {
   const RefineSettings& refine = input.Mode.Refine;
   const double extra =
-    std::min(refine.ExtraOfTarget * input.Stops.Faces, refine.ExtraOfOriginal * input.FacesAtStart);
-  return std::min(input.FacesAtStart, input.Stops.Faces + static_cast<Index>(extra));
+    std::min(refine.ExtraOfTarget * input.Stops.Faces, refine.ExtraOfOriginal * input.InitialFaces);
+  return std::min(input.InitialFaces, input.Stops.Faces + static_cast<Index>(extra));
 }
 
 StopReason CollapseByQueue(
@@ -28,7 +28,7 @@ StopReason CollapseByQueue(
   FeatureCurveStages stages(input.MeshEditor, input.Stops, monitor);
   while (stages.Next())
   {
-    stages.Note(queue.Run(stages.Targets(), stages.Progress()));
+    stages.NoteEnd(queue.Run(stages.Targets(), stages.Progress()));
   }
   return stages.Reason();
 }
@@ -49,7 +49,7 @@ StopReason SweepTo(const StageInput& input, Index faces, const Monitor& monitor)
   FeatureCurveStages stages(input.MeshEditor, { faces, input.Stops.Error }, monitor);
   while (stages.Next())
   {
-    stages.Note(sweep.Run(stages.Targets(), stages.Progress()));
+    stages.NoteEnd(sweep.Run(stages.Targets(), stages.Progress()));
   }
   return stages.Reason();
 }

@@ -38,11 +38,10 @@ std::vector<std::array<int, 3>> StepsAround()
 double BesideInSingle(double position, int step, double origin)
 {
   const auto from = static_cast<float>(position);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const double local = std::abs(position - origin);
   const double least = std::max<double>(
-    2.0 * (std::nextafter(local, infinity) - local), std::numeric_limits<float>::min());
-  const float next = std::nextafter(from, static_cast<float>(step * infinity));
+    2.0 * (std::nextafter(local, Infinity) - local), std::numeric_limits<float>::min());
+  const float next = std::nextafter(from, static_cast<float>(step * Infinity));
   return std::abs(static_cast<double>(next) - position) < least
     ? static_cast<float>(position + step * least)
     : next;
@@ -58,7 +57,7 @@ public:
     , Clean(clean)
     , Rounding(rounding)
   {
-    this->Space.Change.Range.Last = editor.Mesh().NumberOfVertexSlots();
+    this->Workspace.Change.Range.Last = editor.Mesh().NumberOfVertexSlots();
   }
 
   std::vector<Index> Give()
@@ -157,7 +156,7 @@ private:
   {
     const Vector3 position = to - this->Clean.Origin;
     return this->Taken.count(this->WrittenAt(v, position)) == 0 &&
-      this->MeshEditor.Try(MoveTo(v, position), this->Space).IsAccepted();
+      this->MeshEditor.Try(MoveTo(v, position), this->Workspace).IsAccepted();
   }
 
   Editor& MeshEditor;
@@ -165,7 +164,7 @@ private:
   const CleanSurface& Clean;
   const PointRounding& Rounding;
   std::map<RoundedPosition, VertexId> Taken; // by the first vertex there
-  Workspace Space;
+  EditWorkspace Workspace;
 };
 }
 

@@ -4,8 +4,6 @@
 
 #include "Decimate/Edit/FlipAndMoveRules.h"
 
-#include <limits>
-
 namespace bonedecimate
 {
 namespace
@@ -40,7 +38,8 @@ double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, FaceId face)
   float& known = this->FaceErrors[static_cast<std::size_t>(face)];
   if (known < 0.0F)
   {
-    known = static_cast<float>(ErrorOfFace(this->Fit, this->Weigh, face, FrameOf(mesh, face)));
+    known = static_cast<float>(
+      ErrorOfFace(this->OriginalSamples, this->Penalties, face, FrameOf(mesh, face)));
   }
   return known;
 }
@@ -50,17 +49,19 @@ double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, FaceId face)
 double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
 {
   double error =
-    this->Weigh.OfShapes().Of(after.Frames[0]) + this->Weigh.OfShapes().Of(after.Frames[1]);
+    this->Penalties.OfShapes().Of(after.Frames[0]) + this->Penalties.OfShapes().Of(after.Frames[1]);
   for (const FaceId face : after.Faces)
   {
-    for (Index s = this->Fit.First(face); s != None && error < enough; s = this->Fit[s].Next)
+    for (Index s = this->OriginalSamples.First(face); s != None && error < enough;
+         s = this->OriginalSamples[s].Next)
     {
-      const Vector3 p = this->Fit.SamplePosition(this->Fit[s]);
+      const Vector3 p = this->OriginalSamples.SamplePosition(this->OriginalSamples[s]);
       const double squared = std::min(
         after.Frames[0].Nearest(p).SquaredDistance, after.Frames[1].Nearest(p).SquaredDistance);
-      const double limit = this->Fit[s].Limit;
-      error += squared <= limit * limit ? this->Weigh.OfSample(this->Fit[s].Weight, squared)
-                                        : std::numeric_limits<double>::infinity();
+      const double limit = this->OriginalSamples[s].Limit;
+      error += squared <= limit * limit
+        ? this->Penalties.OfSample(this->OriginalSamples[s].Weight, squared)
+        : Infinity;
     }
   }
   return error;
@@ -76,15 +77,15 @@ double EdgeFlipper::ErrorOfChord(
     return 0.0;
   }
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const FarPenalty& far = this->Weigh.OfChords();
+  const FarPenalty& far = this->Penalties.OfChords();
   double error = 0.0;
   for (const double fraction : ChordFractions)
   {
     const Vector3 p =
       fraction * mesh.Position(corners[from]) + (1.0 - fraction) * mesh.Position(corners[to]);
-    const PointOnMesh near = this->Back.Find(p, corners[from]);
+    const PointOnMesh near = this->Hints.Find(p, corners[from]);
     error +=
-      far.Of(this->Back.FindBetter(p, near, far.SquaredLimit(), corners).Point.SquaredDistance);
+      far.Of(this->Hints.FindBetter(p, near, far.SquaredLimit(), corners).Point.SquaredDistance);
   }
   return error;
 }
@@ -96,7 +97,7 @@ bool EdgeFlipper::TurnsAway(
   Vector3 original = Vector3::Zero();
   for (const Index corner : corners)
   {
-    original += FrameOf(this->Back.Original(), this->Back.Of(corner)).UnitNormal();
+    original += FrameOf(this->Hints.Original(), this->Hints.Of(corner)).UnitNormal();
   }
   const auto facing = [&original](const Pair& pair)
   {
@@ -130,7 +131,7 @@ bool EdgeFlipper::TryFlip(HalfEdgeId edge)
   {
     return false;
   }
-  if (!this->MeshEditor.Try(FlipOf(edge), this->Space).IsAccepted())
+  if (!this->MeshEditor.Try(FlipOf(edge), this->Workspace).IsAccepted())
   {
     return false;
   }
@@ -142,15 +143,16 @@ bool EdgeFlipper::TryFlip(HalfEdgeId edge)
 /// Gives the samples of both faces to the nearer one.
 void EdgeFlipper::HandOver(const Pair& after)
 {
-  for (Index s : { this->Fit.Take(after.Faces[0]), this->Fit.Take(after.Faces[1]) })
+  for (Index s :
+    { this->OriginalSamples.Take(after.Faces[0]), this->OriginalSamples.Take(after.Faces[1]) })
   {
     while (s != None)
     {
-      const Vector3 p = this->Fit.SamplePosition(this->Fit[s]);
-      const Index next = this->Fit[s].Next;
+      const Vector3 p = this->OriginalSamples.SamplePosition(this->OriginalSamples[s]);
+      const Index next = this->OriginalSamples[s].Next;
       const bool first =
         after.Frames[0].Nearest(p).SquaredDistance <= after.Frames[1].Nearest(p).SquaredDistance;
-      this->Fit.Put(s, after.Faces[first ? 0 : 1]);
+      this->OriginalSamples.Put(s, after.Faces[first ? 0 : 1]);
       s = next;
     }
   }

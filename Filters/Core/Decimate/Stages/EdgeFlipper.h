@@ -38,13 +38,13 @@ public:
   EdgeFlipper(Editor& editor, Samples& samples, const OriginalHints& hints,
     std::vector<float>& faceErrors, VertexRange range, int workers)
     : MeshEditor(editor)
-    , Fit(samples)
-    , Back(hints)
+    , OriginalSamples(samples)
+    , Hints(hints)
     , FaceErrors(faceErrors)
-    , Weigh(editor.Mesh().Unit(), samples.MeanValues())
+    , Penalties(editor.Mesh().Unit(), samples.MeanValues())
   {
-    this->Space.Change.Range = range;
-    this->Space.Change.Workers = workers;
+    this->Workspace.Change.Range = range;
+    this->Workspace.Change.Workers = workers;
   }
 
   /// Flips edges at the vertex; returns how many.
@@ -66,11 +66,11 @@ private:
   void HandOver(const Pair& after);
 
   Editor& MeshEditor;
-  Workspace Space;
-  Samples& Fit;
-  const OriginalHints& Back;
+  EditWorkspace Workspace;
+  Samples& OriginalSamples;
+  const OriginalHints& Hints;
   std::vector<float>& FaceErrors;
-  ErrorPenalty Weigh;
+  ErrorPenalty Penalties;
 };
 }
 

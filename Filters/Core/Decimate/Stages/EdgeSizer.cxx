@@ -24,8 +24,8 @@ EdgeSizer::EdgeSizer(Editor& editor, const ShapeLimits& limits, int threads)
   : MeshEditor(editor)
   , Limits(limits)
   , Threads(threads)
-  , Lengths(limits.Local, editor.Mesh(), threads)
-  , Edges(editor, limits.MaxCosine, CosineOfRelaxed)
+  , Lengths(limits.Sizing, editor.Mesh(), threads)
+  , Collapser(editor, limits.MaxCosine, CosineOfRelaxed)
 {
 }
 
@@ -34,13 +34,13 @@ EdgeSizer::EdgeSizer(Editor& editor, const ShapeLimits& limits, int threads)
 template <typename Predicate>
 bool EdgeSizer::IsLocally(HalfEdgeId edge, const Predicate& predicate)
 {
-  if (!this->Limits.Local)
+  if (!this->Limits.Sizing)
   {
     return true;
   }
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const auto lengthAt = [&](VertexId vertex)
-  { return this->Lengths.Keep(vertex, mesh.Position(vertex)); };
+  { return this->Lengths.Update(vertex, mesh.Position(vertex)); };
   const double length = std::min(lengthAt(mesh.Origin(edge)), lengthAt(mesh.Target(edge)));
   return predicate(std::sqrt(SquaredLength(mesh, edge)) / length);
 }
@@ -52,20 +52,20 @@ bool EdgeSizer::Run(Index faces, const Monitor& monitor)
   constexpr double splitAt = 0.6;
   constexpr double roundsAt = 0.95;
   const Monitor rounds = PartOf(monitor, 0.0, roundsAt);
-  bool goesOn = true;
+  bool shouldContinue = true;
   bool isWorthIt = true;
-  for (int i = 0; i < MaxRounds && goesOn && isWorthIt; ++i)
+  for (int i = 0; i < MaxRounds && shouldContinue && isWorthIt; ++i)
   {
     const auto edits = [this]
     { return this->MeshEditor.Totals().Collapses + this->MeshEditor.Totals().Splits; };
     const std::int64_t before = edits();
-    const Monitor round = PartOf(rounds, static_cast<double>(i) / MaxRounds, (i + 1.0) / MaxRounds);
-    goesOn = this->Collapse(faces, PartOf(round, 0.0, collapsedAt)) &&
+    const Monitor round = StepOf(rounds, i, MaxRounds);
+    shouldContinue = this->Collapse(faces, PartOf(round, 0.0, collapsedAt)) &&
       this->Split(faces, PartOf(round, collapsedAt, splitAt)) &&
       ShapeImprover::Relax(this->MeshEditor, PartOf(round, splitAt, 1.0));
     isWorthIt = (edits() - before) * MinOfRound >= this->MeshEditor.Mesh().NumberOfFaces();
   }
-  return goesOn && this->Split(faces, PartOf(monitor, roundsAt, 1.0));
+  return shouldContinue && this->Split(faces, PartOf(monitor, roundsAt, 1.0));
 }
 
 //------------------------------------------------------------------------------
@@ -73,15 +73,15 @@ bool EdgeSizer::Collapse(Index faces, const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   this->MeshEditor.PrepareCollapses(this->Threads);
-  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, -1.0, this->Limits.ShortestEdge());
+  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, -1.0, this->Limits.CollapseLength());
   return ForEachOf(edges.size(), monitor,
     [&](std::size_t i)
     {
       const HalfEdgeId edge = edges[i].Edge;
       if (IsUnchanged(mesh, edges[i]) && mesh.NumberOfFaces() > faces &&
-        this->IsLocally(edge, [](double ratio) { return ratio < ShapeLimits::Shortest; }))
+        this->IsLocally(edge, [](double ratio) { return ratio < ShapeLimits::CollapseRatio; }))
       {
-        this->Edges.Try(edge);
+        this->Collapser.Try(edge);
       }
     });
 }
@@ -95,21 +95,20 @@ bool EdgeSizer::Split(Index faces, const Monitor& monitor)
     return monitor(1.0);
   }
   std::int64_t splits = 1;
-  bool goesOn = true;
-  for (int pass = 0; pass < MaxSplitPasses && splits > 0 && goesOn; ++pass)
+  bool shouldContinue = true;
+  for (int pass = 0; pass < MaxSplitPasses && splits > 0 && shouldContinue; ++pass)
   {
-    const Monitor part =
-      PartOf(monitor, static_cast<double>(pass) / MaxSplitPasses, (pass + 1.0) / MaxSplitPasses);
-    goesOn = this->SplitOnce(faces, splits, part);
+    const Monitor part = StepOf(monitor, pass, MaxSplitPasses);
+    shouldContinue = this->SplitOnce(faces, splits, part);
   }
-  return goesOn && monitor(1.0);
+  return shouldContinue && monitor(1.0);
 }
 
 //------------------------------------------------------------------------------
 bool EdgeSizer::SplitOnce(Index faces, std::int64_t& splits, const Monitor& monitor)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, this->Limits.MinOfLongest());
+  const std::vector<EdgeOfLength> edges = EdgesByLength(mesh, this->Limits.MinSplitLength());
   splits = 0;
   return ForEachOf(edges.size(), monitor,
     [&](std::size_t i)
@@ -128,14 +127,14 @@ bool EdgeSizer::SplitOnce(Index faces, std::int64_t& splits, const Monitor& moni
 bool EdgeSizer::SplitInTheMiddle(HalfEdgeId edge)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  if (!this->IsLocally(edge, [](double ratio) { return ratio > ShapeLimits::Longest; }))
+  if (!this->IsLocally(edge, [](double ratio) { return ratio > ShapeLimits::SplitRatio; }))
   {
     return false;
   }
   const Vector3 middle =
     0.5 * (mesh.Position(mesh.Origin(edge)) + mesh.Position(mesh.Target(edge)));
-  const bool isSplit = this->MeshEditor.Try(SplitAt(edge, middle), this->Space).IsAccepted();
-  this->MeshEditor.Settle(&this->Space.Counted);
+  const bool isSplit = this->MeshEditor.Try(SplitAt(edge, middle), this->Workspace).IsAccepted();
+  this->MeshEditor.Settle(&this->Workspace.Counts);
   return isSplit;
 }
 }

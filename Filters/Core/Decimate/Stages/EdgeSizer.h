@@ -45,8 +45,8 @@ private:
   ShapeLimits Limits;
   int Threads;
   LocalLengths Lengths;
-  ShapeCollapse Edges;
-  Workspace Space;
+  ShapeCollapse Collapser;
+  EditWorkspace Workspace;
 };
 }
 

@@ -9,7 +9,6 @@
 
 #include "Mesh/HalfEdgeMesh.h"
 
-#include <limits>
 #include <vector>
 
 namespace bonedecimate
@@ -33,8 +32,8 @@ inline bool IsUnchanged(const HalfEdgeMesh& mesh, const EdgeOfLength& edge)
 }
 
 /// Those longer than `above` and shorter than `below`, mm.
-std::vector<EdgeOfLength> EdgesByLength(const HalfEdgeMesh& mesh, double above = -1.0,
-  double below = std::numeric_limits<double>::infinity());
+std::vector<EdgeOfLength> EdgesByLength(
+  const HalfEdgeMesh& mesh, double above = -1.0, double below = Infinity);
 }
 
 #endif

@@ -23,8 +23,8 @@ constexpr std::size_t MinForBlocks = 1024;
 ErrorCollapse::ErrorCollapse(
   Editor& editor, Samples& samples, OriginalHints& hints, int edgesOfCollapse, int threads)
   : MeshEditor(editor)
-  , Fit(samples)
-  , Back(hints)
+  , OriginalSamples(samples)
+  , Hints(hints)
   , Errors(editor.Mesh(), samples, hints)
   , EdgesOfCollapse(static_cast<std::size_t>(edgesOfCollapse))
   , Threads(threads)
@@ -43,12 +43,12 @@ bool ErrorCollapse::Run(Index faces, const Monitor& monitor)
     return false;
   }
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const std::size_t mostEdges = 2 * static_cast<std::size_t>(mesh.NumberOfFaces());
+  const std::size_t maxEdges = 2 * static_cast<std::size_t>(mesh.NumberOfFaces());
   std::size_t edges = std::max(MinEdges, this->EdgesOfCollapse * this->RemainingCollapses());
   double from = measuredAt; // further rounds report the end
   for (Index before = None; this->RemainingCollapses() > 0; edges *= MoreEdges)
   {
-    if (before == mesh.NumberOfFaces() && edges >= mostEdges * MoreEdges)
+    if (before == mesh.NumberOfFaces() && edges >= maxEdges * MoreEdges)
     {
       break;
     }
@@ -87,7 +87,7 @@ bool ErrorCollapse::EvaluateCheapest(std::size_t count, const Monitor& monitor)
   const bool done = ForEachChunk(edges.size(), this->Threads, PartOf(monitor, foundAt, 1.0),
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      ErrorQueue evaluator(this->MeshEditor, this->Fit, this->Back, this->Errors, {});
+      ErrorQueue evaluator(this->MeshEditor, this->OriginalSamples, this->Hints, this->Errors, {});
       for (std::size_t i = first; i < last; ++i)
       {
         this->Edges[i].Edge = None;
@@ -134,16 +134,16 @@ std::vector<ErrorBlock> ErrorCollapse::Blocks(Index size, Index shift) const
 bool ErrorCollapse::CollapseBlocks(const Monitor& monitor)
 {
   const Index size = this->MeshEditor.Mesh().NumberOfVertexSlots() / TargetBlocks + 2;
-  bool goesOn = true;
+  bool shouldContinue = true;
   for (const bool again : { false, true })
   {
-    if (goesOn && this->RemainingCollapses() >= MinForBlocks && !this->Edges.empty())
+    if (shouldContinue && this->RemainingCollapses() >= MinForBlocks && !this->Edges.empty())
     {
-      goesOn = this->CollapseRound(
+      shouldContinue = this->CollapseRound(
         size, again ? size / 2 : 0, again ? PartOf(monitor, 0.7, 1.0) : PartOf(monitor, 0.0, 0.7));
     }
   }
-  return goesOn;
+  return shouldContinue;
 }
 
 //------------------------------------------------------------------------------
@@ -155,22 +155,23 @@ bool ErrorCollapse::CollapseRound(Index size, Index shift, const Monitor& monito
   for (const EvaluatedEdge& edge : this->Edges)
   {
     const std::size_t block = static_cast<std::size_t>((edge.Start + shift) / size);
-    const bool isInside = blocks[block].Holds(edge.End) && edge.Cost <= blocks[block].Limit;
+    const bool isInside = blocks[block].Contains(edge.End) && edge.Cost <= blocks[block].Limit;
     (isInside ? edges[block] : left).push_back(edge);
   }
   std::vector<Tally> counted(blocks.size());
   const bool done = ForEachPart(blocks.size(), this->Threads, monitor,
     [&](std::size_t i)
     {
-      ErrorQueue queue(this->MeshEditor, this->Fit, this->Back, this->Errors, blocks[i]);
+      ErrorQueue queue(
+        this->MeshEditor, this->OriginalSamples, this->Hints, this->Errors, blocks[i]);
       for (const EvaluatedEdge& edge : edges[i])
       {
         queue.Add(edge);
       }
       const std::int64_t allowed = static_cast<std::int64_t>(edges[i].size());
       queue.Run([&](std::int64_t collapses) { return collapses < allowed; });
-      counted[i] = std::exchange(queue.Counted(), {});
-      edges[i] = queue.LeftOver();
+      counted[i] = std::exchange(queue.Counts(), {});
+      edges[i] = queue.RemainingEdges();
     });
   this->MeshEditor.Settle(counted.data(), counted.size());
   for (const std::vector<EvaluatedEdge>& rest : edges)
@@ -184,26 +185,26 @@ bool ErrorCollapse::CollapseRound(Index size, Index shift, const Monitor& monito
 //------------------------------------------------------------------------------
 bool ErrorCollapse::CollapseRest(const Monitor& monitor)
 {
-  constexpr std::size_t tellEvery = 8; // edges
+  constexpr std::size_t edgesPerReport = 8; // edges
   ErrorBlock whole;
   whole.MaxQuadricCost = this->MaxQuadricCost;
-  ErrorQueue queue(this->MeshEditor, this->Fit, this->Back, this->Errors, whole);
+  ErrorQueue queue(this->MeshEditor, this->OriginalSamples, this->Hints, this->Errors, whole);
   for (const EvaluatedEdge& edge : this->Edges)
   {
     queue.Add(edge);
   }
   const double first = static_cast<double>(std::max<std::size_t>(1, this->RemainingCollapses()));
-  bool goesOn = true;
+  bool shouldContinue = true;
   std::size_t turn = 0;
   queue.Run(
     [&](std::int64_t)
     {
-      this->MeshEditor.Settle(&queue.Counted());
+      this->MeshEditor.Settle(&queue.Counts());
       const double left = static_cast<double>(this->RemainingCollapses());
-      goesOn = ++turn % tellEvery != 0 || monitor(1.0 - left / first);
-      return goesOn && left > 0.0;
+      shouldContinue = ++turn % edgesPerReport != 0 || monitor(1.0 - left / first);
+      return shouldContinue && left > 0.0;
     });
-  this->MeshEditor.Settle(&queue.Counted());
-  return goesOn;
+  this->MeshEditor.Settle(&queue.Counts());
+  return shouldContinue;
 }
 }

@@ -46,8 +46,8 @@ private:
   std::size_t RemainingCollapses() const;
 
   Editor& MeshEditor;
-  Samples& Fit;
-  OriginalHints& Back;
+  Samples& OriginalSamples;
+  OriginalHints& Hints;
   SampledErrors Errors;
   std::size_t EdgesOfCollapse;
   int Threads;

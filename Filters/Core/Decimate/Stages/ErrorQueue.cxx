@@ -9,27 +9,27 @@ namespace bonedecimate
 ErrorQueue::ErrorQueue(Editor& editor, Samples& samples, OriginalHints& hints,
   SampledErrors& errors, const ErrorBlock& block)
   : MeshEditor(editor)
-  , Fit(samples)
-  , Back(hints)
+  , OriginalSamples(samples)
+  , Hints(hints)
   , Errors(errors)
   , Block(block)
-  , Costs(editor.Mesh(), samples, hints)
+  , Fan(editor.Mesh(), samples, hints)
 {
-  this->Space.Change.Range = { block.First, block.Last };
-  this->Space.Change.Workers = block.Workers;
+  this->Workspace.Change.Range = { block.First, block.Last };
+  this->Workspace.Change.Workers = block.Workers;
 }
 
 //------------------------------------------------------------------------------
 bool ErrorQueue::Evaluate(const RatedEdge& edge, EvaluatedEdge& evaluated)
 {
-  if (!this->MeshEditor.Gather(edge.Edge, this->Space).IsAccepted())
+  if (!this->MeshEditor.Gather(edge.Edge, this->Workspace).IsAccepted())
   {
     return false;
   }
-  const EdgeNeighborhood& around = this->Space.Around;
-  const FanFit::Result result = this->Costs.Evaluate(around, edge.Position);
-  evaluated = { result.Error - this->Errors.Around(around), edge.Edge, around.Start, around.End,
-    this->Errors.StampOf(edge.Edge), result.Position };
+  const EdgeNeighborhood& around = this->Workspace.Neighborhood;
+  const FanFit::Result result = this->Fan.Evaluate(around, edge.Position);
+  evaluated = { result.Error - this->Errors.ErrorAround(around), edge.Edge, around.Start,
+    around.End, this->Errors.StampOf(edge.Edge), result.Position };
   return true;
 }
 
@@ -61,7 +61,7 @@ void ErrorQueue::Push(const RatedEdge& edge)
   }
   if (evaluated.Cost > this->Block.Limit)
   {
-    this->Left.push_back(evaluated);
+    this->Remaining.push_back(evaluated);
   }
   else
   {
@@ -72,34 +72,34 @@ void ErrorQueue::Push(const RatedEdge& edge)
 //------------------------------------------------------------------------------
 bool ErrorQueue::Collapse(const EvaluatedEdge& edge)
 {
-  if (!this->MeshEditor.Gather(edge.Edge, this->Space).IsAccepted())
+  if (!this->MeshEditor.Gather(edge.Edge, this->Workspace).IsAccepted())
   {
     return false;
   }
-  const EdgeNeighborhood around = this->Space.Around;
+  const EdgeNeighborhood around = this->Workspace.Neighborhood;
   if (!std::all_of(around.Ring.begin(), around.Ring.end(),
-        [this](VertexId v) { return this->Block.Holds(v); }))
+        [this](VertexId v) { return this->Block.Contains(v); }))
   {
-    this->Left.push_back(edge);
+    this->Remaining.push_back(edge);
     return false;
   }
-  const FanFit::Result result = this->Costs.Evaluate(around, edge.Position);
+  const FanFit::Result result = this->Fan.Evaluate(around, edge.Position);
   Edit edit;
   edit.Edge = edge.Edge;
   edit.Keep = around.Start;
   edit.Position = result.Position;
-  this->Space.Change.Rank = static_cast<float>(edge.Cost);
-  const Decision decision = this->MeshEditor.Try(edit, this->Space);
+  this->Workspace.Change.Rank = static_cast<float>(edge.Cost);
+  const Decision decision = this->MeshEditor.Try(edit, this->Workspace);
   if (!decision.IsAccepted())
   {
     if (decision.IsDeferred())
     {
-      this->Left.push_back(edge);
+      this->Remaining.push_back(edge);
     }
     return false;
   }
-  this->Fit.HandOver(around.Faces(), this->Costs.Members());
-  this->Back.Set(edit.Keep, result.Hint);
+  this->OriginalSamples.HandOver(around.Faces(), this->Fan.Members());
+  this->Hints.Set(edit.Keep, result.Hint);
   this->Errors.AfterCollapse(edit.Keep, result.VertexError);
   this->Candidates.clear();
   RateEdges(this->MeshEditor.Mesh(), edit.Keep, false, this->Candidates);

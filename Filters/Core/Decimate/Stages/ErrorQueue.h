@@ -49,11 +49,11 @@ struct ErrorBlock
 {
   Index First = 0;
   Index Last = std::numeric_limits<Index>::max();
-  double Limit = std::numeric_limits<double>::infinity(); // cost above which an edge is left over
+  double Limit = Infinity;     // cost above which an edge is left over
   float MaxQuadricCost = 0.0F; // by quadrics; edges above it are not evaluated
   int Workers = 1;             // that work at the same time
 
-  bool Holds(VertexId v) const { return v >= this->First && v < this->Last; }
+  bool Contains(VertexId v) const { return v >= this->First && v < this->Last; }
 };
 
 class ErrorQueue
@@ -67,14 +67,14 @@ public:
 
   void Add(const EvaluatedEdge& edge) { this->Queue.push(edge); }
 
-  /// @param goOn Requested with the number of collapses so far, before each edge; false ends it.
-  template <typename GoOn>
-  void Run(const GoOn& goOn);
+  /// @param beforeEdge Requested with the number of collapses so far, before each edge; false ends it.
+  template <typename BeforeEdge>
+  void Run(const BeforeEdge& beforeEdge);
 
   /// Evaluated edges that this block may not collapse.
-  const std::vector<EvaluatedEdge>& LeftOver() const { return this->Left; }
+  const std::vector<EvaluatedEdge>& RemainingEdges() const { return this->Remaining; }
   /// Totals of the collapses, for Editor::Settle.
-  Tally& Counted() { return this->Space.Counted; }
+  Tally& Counts() { return this->Workspace.Counts; }
 
 private:
   void Take(const EvaluatedEdge& edge);
@@ -82,22 +82,22 @@ private:
   bool Collapse(const EvaluatedEdge& edge);
 
   Editor& MeshEditor;
-  Samples& Fit;
-  OriginalHints& Back;
+  Samples& OriginalSamples;
+  OriginalHints& Hints;
   SampledErrors& Errors;
   ErrorBlock Block;
-  FanFit Costs;
-  Workspace Space;
+  FanFit Fan;
+  EditWorkspace Workspace;
   std::priority_queue<EvaluatedEdge> Queue;
-  std::vector<EvaluatedEdge> Left;
+  std::vector<EvaluatedEdge> Remaining;
   std::vector<RatedEdge> Candidates;
   std::int64_t Collapses = 0;
 };
 
-template <typename GoOn>
-void ErrorQueue::Run(const GoOn& goOn)
+template <typename BeforeEdge>
+void ErrorQueue::Run(const BeforeEdge& beforeEdge)
 {
-  while (!this->Queue.empty() && goOn(this->Collapses))
+  while (!this->Queue.empty() && beforeEdge(this->Collapses))
   {
     const EvaluatedEdge edge = this->Queue.top();
     this->Queue.pop();
@@ -105,7 +105,7 @@ void ErrorQueue::Run(const GoOn& goOn)
   }
   for (; !this->Queue.empty(); this->Queue.pop())
   {
-    this->Left.push_back(this->Queue.top());
+    this->Remaining.push_back(this->Queue.top());
   }
 }
 }

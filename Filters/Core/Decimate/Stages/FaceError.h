@@ -11,7 +11,6 @@
 #include "Proof/Reference/Samples.h"
 
 #include <array>
-#include <limits>
 
 namespace bonedecimate
 {
@@ -56,8 +55,7 @@ inline double ErrorWithinLimits(
     {
       const double limit = sample.Limit;
       const double squared = frame.Nearest(samples.SamplePosition(sample)).SquaredDistance;
-      error += squared <= limit * limit ? penalty.OfSample(sample.Weight, squared)
-                                        : std::numeric_limits<double>::infinity();
+      error += squared <= limit * limit ? penalty.OfSample(sample.Weight, squared) : Infinity;
     });
   return error;
 }

@@ -18,8 +18,8 @@ constexpr double MinGainOfCosine = 0.002;
 
 inline double CosineOfFace(const HalfEdgeMesh& mesh, FaceId face)
 {
-  const Triangle v = mesh.Corners(face);
-  return CosineOfSmallestAngle(mesh.Position(v[0]), mesh.Position(v[1]), mesh.Position(v[2]));
+  const auto [a, b, c] = PositionsOf(mesh, face);
+  return CosineOfSmallestAngle(a, b, c);
 }
 }
 

@@ -4,7 +4,6 @@
 
 #include "FanSearch.h"
 
-#include <algorithm>
 #include <array>
 
 namespace bonedecimate
@@ -21,25 +20,23 @@ FanFit::Result FanFit::Evaluate(const EdgeNeighborhood& around, const Vector3& p
 //------------------------------------------------------------------------------
 void FanFit::Gather(const EdgeNeighborhood& around)
 {
-  this->Gathered.clear();
+  this->SampleMembers.clear();
   for (std::size_t i = 0; i < around.Corners.size(); ++i)
   {
     this->GatherFace(HalfEdgeMesh::Face(around.Corners[i]), i);
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    const auto apex = std::find(around.Ring.begin(), around.Ring.end(), around.Apexes[k]);
-    this->GatherFace(around.GoneFaces[k],
-      static_cast<std::size_t>(apex - around.Ring.begin()) % around.Corners.size());
+    this->GatherFace(around.RemovedFaces[k], around.SlotAtApex(k));
   }
 }
 
 //------------------------------------------------------------------------------
 void FanFit::GatherFace(FaceId face, std::size_t slot)
 {
-  for (Index s = this->Fit.First(face); s != None; s = this->Fit[s].Next)
+  for (Index s = this->OriginalSamples.First(face); s != None; s = this->OriginalSamples[s].Next)
   {
-    this->Gathered.push_back({ s, slot });
+    this->SampleMembers.push_back({ s, slot });
   }
 }
 
@@ -49,8 +46,8 @@ void FanFit::Build(const EdgeNeighborhood& around, const Vector3& x)
   this->Frames.clear();
   for (std::size_t i = 0; i < around.Corners.size(); ++i)
   {
-    const Index next = around.Ring[(i + 1) % around.Ring.size()];
-    this->Frames.emplace_back(x, this->Mesh.Position(around.Ring[i]), this->Mesh.Position(next));
+    this->Frames.emplace_back(
+      x, this->Mesh.Position(around.Ring[i]), this->Mesh.Position(around.RingAfter(i)));
   }
 }
 
@@ -61,12 +58,12 @@ FanFit::Result FanFit::EvaluateAt(const EdgeNeighborhood& around, const Vector3&
   this->Build(around, x);
   Result result;
   result.Position = x;
-  for (Member& member : this->Gathered)
+  for (Member& member : this->SampleMembers)
   {
-    const Samples::Sample& sample = this->Fit[member.Sample];
-    const Vector3 p = this->Fit.SamplePosition(sample);
+    const Samples::Sample& sample = this->OriginalSamples[member.Sample];
+    const Vector3 p = this->OriginalSamples.SamplePosition(sample);
     const TriangleFrame::Point position = FindInFan(this->Frames, p, member.Slot);
-    const Penalty penalty = this->Weigh.FitOfSample(sample.Weight, position.SquaredDistance);
+    const Penalty penalty = this->Penalties.FitOfSample(sample.Weight, position.SquaredDistance);
     result.Error += penalty.Value;
     if (step != nullptr)
     {
@@ -82,36 +79,36 @@ FanFit::Result FanFit::EvaluateAt(const EdgeNeighborhood& around, const Vector3&
 /// And the shapes of its faces. Looked for near both ends.
 void FanFit::AddVertex(const EdgeNeighborhood& around, Result& result, FitStep* step) const
 {
-  const PointOnMesh atStart = this->Back.Find(result.Position, around.Start);
-  const PointOnMesh atEnd = this->Back.Find(result.Position, around.End);
+  const PointOnMesh atStart = this->Hints.Find(result.Position, around.Start);
+  const PointOnMesh atEnd = this->Hints.Find(result.Position, around.End);
   const PointOnMesh& found =
     atEnd.Point.SquaredDistance < atStart.Point.SquaredDistance ? atEnd : atStart;
   double area = 0.0; // mm^2
   for (const TriangleFrame& frame : this->Frames)
   {
     area += frame.SurfaceArea();
-    result.Error += this->Weigh.OfShapes().Of(frame);
+    result.Error += this->Penalties.OfShapes().Of(frame);
     if (step != nullptr)
     {
-      step->AddShape(this->Weigh.OfShapes().At(frame));
+      step->AddShape(this->Penalties.OfShapes().At(frame));
     }
   }
-  const double weight = BackWeightOfCollapse * CornerFraction * this->Weigh.InUnits(area);
+  const double weight = BackWeightOfCollapse * CornerFraction * this->Penalties.InUnits(area);
   result.Hint = found.Face;
-  const Penalty penalty = this->Weigh.FitOfVertex(weight, found.Point.SquaredDistance);
+  const Penalty penalty = this->Penalties.FitOfVertex(weight, found.Point.SquaredDistance);
   result.VertexError = penalty.Value;
   result.Error += result.VertexError;
   if (step != nullptr)
   {
     step->AddVertex(
-      result.Position, FrameOf(this->Back.Original(), found.Face), found.Point, penalty.Weight);
+      result.Position, FrameOf(this->Hints.Original(), found.Face), found.Point, penalty.Weight);
   }
 }
 
 //------------------------------------------------------------------------------
 double FanFit::ErrorOfChords(const EdgeNeighborhood& around, const Result& result) const
 {
-  const FarPenalty& far = this->Weigh.OfChords();
+  const FarPenalty& far = this->Penalties.OfChords();
   const std::size_t count = this->Frames.size();
   double error = 0.0;
   for (std::size_t i = 0; i < count; ++i)
@@ -119,15 +116,15 @@ double FanFit::ErrorOfChords(const EdgeNeighborhood& around, const Result& resul
     const std::size_t previous = (i + count - 1) % count;
     if (FoldSharply(this->Frames[previous].UnitNormal(), this->Frames[i].UnitNormal()))
     {
-      const std::array<Index, 5> others = { around.Ring[i], around.Ring[(i + 1) % count],
+      const std::array<Index, 5> others = { around.Ring[i], around.RingAfter(i),
         around.Ring[previous], around.Start, around.End };
       for (const double fraction : ChordFractions)
       {
         const Vector3 p =
           fraction * result.Position + (1.0 - fraction) * this->Mesh.Position(around.Ring[i]);
-        const PointOnMesh near = WalkFrom(this->Back.Original(), p, result.Hint);
+        const PointOnMesh near = WalkFrom(this->Hints.Original(), p, result.Hint);
         error +=
-          far.Of(this->Back.FindBetter(p, near, far.SquaredLimit(), others).Point.SquaredDistance);
+          far.Of(this->Hints.FindBetter(p, near, far.SquaredLimit(), others).Point.SquaredDistance);
       }
     }
   }

@@ -30,9 +30,9 @@ class FanFit
 public:
   FanFit(const HalfEdgeMesh& mesh, const Samples& samples, const OriginalHints& hints)
     : Mesh(mesh)
-    , Fit(samples)
-    , Back(hints)
-    , Weigh(mesh.Unit(), samples.MeanValues())
+    , OriginalSamples(samples)
+    , Hints(hints)
+    , Penalties(mesh.Unit(), samples.MeanValues())
   {
   }
 
@@ -53,7 +53,7 @@ public:
     Index Sample;
     std::size_t Slot; // in around.Corners
   };
-  const std::vector<Member>& Members() const { return this->Gathered; }
+  const std::vector<Member>& Members() const { return this->SampleMembers; }
 
 private:
   void Gather(const EdgeNeighborhood& around);
@@ -64,10 +64,10 @@ private:
   void AddVertex(const EdgeNeighborhood& around, Result& result, FitStep* step) const;
 
   const HalfEdgeMesh& Mesh;
-  const Samples& Fit;
-  const OriginalHints& Back;
-  ErrorPenalty Weigh;
-  std::vector<Member> Gathered;
+  const Samples& OriginalSamples;
+  const OriginalHints& Hints;
+  ErrorPenalty Penalties;
+  std::vector<Member> SampleMembers;
   std::vector<TriangleFrame> Frames;
 };
 }

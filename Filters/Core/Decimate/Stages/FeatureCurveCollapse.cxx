@@ -12,7 +12,7 @@ namespace
 {
 constexpr Index PassesForAll = 4;
 constexpr int MaxPasses = 16;
-constexpr Index CandidatesBetweenWords = 256; // to the monitor
+constexpr Index CandidatesPerReport = 256; // to the monitor
 
 /// The half-edge of the boundary of v's patch between v and a duplicate of the other original
 /// vertex; None if there is none.
@@ -38,12 +38,12 @@ HalfEdgeId BoundaryEdgeTo(const HalfEdgeMesh& mesh, VertexId v, VertexId origina
 void FindEdits(const HalfEdgeMesh& mesh, VertexId gone, VertexId stays, std::vector<Edit>& edits)
 {
   edits.clear();
-  Index copy = gone;
+  Index duplicate = gone;
   do
   {
     const HalfEdgeId edge =
-      mesh.Outgoing(copy) == None ? HalfEdgeId() : BoundaryEdgeTo(mesh, copy, stays);
-    const VertexId keep = edge == None ? VertexId() : mesh.Across(edge, copy);
+      mesh.Outgoing(duplicate) == None ? HalfEdgeId() : BoundaryEdgeTo(mesh, duplicate, stays);
+    const VertexId keep = edge == None ? VertexId() : mesh.OtherEnd(edge, duplicate);
     const bool isTaken = std::any_of(
       edits.begin(), edits.end(), [keep](const Edit& edit) { return edit.Keep == keep; });
     if (keep == None || isTaken || mesh.IsConstrained(keep))
@@ -52,40 +52,40 @@ void FindEdits(const HalfEdgeMesh& mesh, VertexId gone, VertexId stays, std::vec
       return;
     }
     edits.push_back({ edge, keep, mesh.Position(keep), true });
-    copy = mesh.NextDuplicate(copy);
-  } while (copy != gone);
+    duplicate = mesh.NextDuplicate(duplicate);
+  } while (duplicate != gone);
 }
 
 /// The original vertices next to this one on patch boundaries.
 void FindBeside(const HalfEdgeMesh& mesh, Index original, std::vector<Index>& originals)
 {
   originals.clear();
-  Index copy = original;
+  Index duplicate = original;
   do
   {
-    if (mesh.Outgoing(copy) != None)
+    if (mesh.Outgoing(duplicate) != None)
     {
-      const std::array<Index, 2> beside = BesideOnBoundary(mesh, copy);
+      const std::array<Index, 2> beside = BoundaryNeighbors(mesh, duplicate);
       originals.insert(originals.end(), beside.begin(), beside.end());
     }
-    copy = mesh.NextDuplicate(copy);
-  } while (copy != original);
+    duplicate = mesh.NextDuplicate(duplicate);
+  } while (duplicate != original);
 }
 }
 
 /// Whether three curves would become a triangle. The patches between them could then degenerate to
 /// that triangle and coincide.
-bool FeatureCurveCollapse::MakesTriangle(Index position)
+bool FeatureCurveCollapse::MakesTriangle(Index index)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  FindBeside(mesh, this->FeatureCurves.OriginalVertex(this->FeatureCurves.Before(position)),
+  FindBeside(mesh, this->FeatureCurves.OriginalVertex(this->FeatureCurves.Before(index)),
     this->BesideBefore);
-  FindBeside(mesh, this->FeatureCurves.OriginalVertex(this->FeatureCurves.After(position)),
-    this->BesideAfter);
+  FindBeside(
+    mesh, this->FeatureCurves.OriginalVertex(this->FeatureCurves.After(index)), this->BesideAfter);
   return std::any_of(this->BesideBefore.begin(), this->BesideBefore.end(),
     [&](Index original)
     {
-      return original != None && original != this->FeatureCurves.OriginalVertex(position) &&
+      return original != None && original != this->FeatureCurves.OriginalVertex(index) &&
         std::find(this->BesideAfter.begin(), this->BesideAfter.end(), original) !=
         this->BesideAfter.end();
     });
@@ -102,7 +102,7 @@ FeatureCurveCollapse::Result FeatureCurveCollapse::Run(
   for (int pass = 0; pass < MaxPasses && isFine(); ++pass)
   {
     const Index gone = this->Pass(targets, most, monitor, result);
-    result.Gone += gone;
+    result.Removed += gone;
     if (gone == 0 || result.IsAborted)
     {
       break;
@@ -113,39 +113,36 @@ FeatureCurveCollapse::Result FeatureCurveCollapse::Run(
 
 //------------------------------------------------------------------------------
 /// Cheapest first; of equal ones the shorter.
-void FeatureCurveCollapse::ListCandidates(double bound, Result& result)
+void FeatureCurveCollapse::ListCandidates(double maxDeviation, Result& result)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const ErrorBound* bounded = this->MeshEditor.Bound();
-  const auto limit = [bounded](Index original)
-  {
-    return bounded != nullptr ? bounded->LimitAt(original)
-                              : std::numeric_limits<double>::infinity();
-  };
+  const ErrorBound* bound = this->MeshEditor.Bound();
+  const auto limit = [bound](Index original)
+  { return bound != nullptr ? bound->LimitAt(original) : Infinity; };
   this->Candidates.clear();
-  result.IsBound = false;
-  for (Index position = 0; position < this->FeatureCurves.NumberOfPositions(); ++position)
+  result.IsLimited = false;
+  for (Index index = 0; index < this->FeatureCurves.NumberOfPositions(); ++index)
   {
-    if (!this->FeatureCurves.MayGo(position))
+    if (!this->FeatureCurves.IsRemovable(index))
     {
       continue;
     }
-    const double deviation = this->FeatureCurves.Deviation(mesh, position, limit);
-    if (deviation <= bound)
+    const double deviation = this->FeatureCurves.Deviation(mesh, index, limit);
+    if (deviation <= maxDeviation)
     {
       const Vector3& before =
-        mesh.Position(this->FeatureCurves.OriginalVertex(this->FeatureCurves.Before(position)));
+        mesh.Position(this->FeatureCurves.OriginalVertex(this->FeatureCurves.Before(index)));
       const Vector3& after =
-        mesh.Position(this->FeatureCurves.OriginalVertex(this->FeatureCurves.After(position)));
-      this->Candidates.push_back({ deviation, (after - before).norm(), position });
+        mesh.Position(this->FeatureCurves.OriginalVertex(this->FeatureCurves.After(index)));
+      this->Candidates.push_back({ deviation, (after - before).norm(), index });
     }
-    result.IsBound |= deviation > bound && std::isfinite(deviation);
+    result.IsLimited |= deviation > maxDeviation && std::isfinite(deviation);
   }
   std::sort(this->Candidates.begin(), this->Candidates.end(),
     [](const Candidate& a, const Candidate& b)
     {
-      return std::tie(a.Deviation, a.Length, a.Position) <
-        std::tie(b.Deviation, b.Length, b.Position);
+      return std::tie(a.Deviation, a.Length, a.CurveIndex) <
+        std::tie(b.Deviation, b.Length, b.CurveIndex);
     });
 }
 
@@ -153,20 +150,20 @@ void FeatureCurveCollapse::ListCandidates(double bound, Result& result)
 Index FeatureCurveCollapse::Pass(
   const Targets& targets, Index most, const Monitor& monitor, Result& result)
 {
-  this->ListCandidates(targets.Bound, result);
+  this->ListCandidates(targets.MaxDeviation, result);
   this->WasTouched.assign(static_cast<std::size_t>(this->FeatureCurves.NumberOfPositions()), 0);
   const Index allowed = std::min(most, this->FeatureCurves.NumberOfEdges() - targets.Edges);
   Index gone = 0;
-  Index heard = 0;
+  Index visited = 0;
   for (const Candidate& candidate : this->Candidates)
   {
-    if (++heard % CandidatesBetweenWords == 0 && !monitor(0.0))
+    if (++visited % CandidatesPerReport == 0 && !monitor(0.0))
     {
       result.IsAborted = true;
       return gone;
     }
-    if (gone < allowed && this->WasTouched[candidate.Position] == 0 &&
-      this->TryRemove(candidate.Position, targets.Faces))
+    if (gone < allowed && this->WasTouched[candidate.CurveIndex] == 0 &&
+      this->TryRemove(candidate.CurveIndex, targets.Faces))
     {
       ++gone;
     }
@@ -175,12 +172,12 @@ Index FeatureCurveCollapse::Pass(
 }
 
 //------------------------------------------------------------------------------
-bool FeatureCurveCollapse::TryRemove(Index position, Index faces)
+bool FeatureCurveCollapse::TryRemove(Index index, Index faces)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  const Index before = this->FeatureCurves.Before(position);
-  const Index after = this->FeatureCurves.After(position);
-  const VertexId original = this->FeatureCurves.OriginalVertex(position);
+  const Index before = this->FeatureCurves.Before(index);
+  const Index after = this->FeatureCurves.After(index);
+  const VertexId original = this->FeatureCurves.OriginalVertex(index);
   VertexId near = this->FeatureCurves.OriginalVertex(before);
   VertexId far = this->FeatureCurves.OriginalVertex(after);
   const Vector3& p = mesh.Position(original);
@@ -188,12 +185,12 @@ bool FeatureCurveCollapse::TryRemove(Index position, Index faces)
   {
     std::swap(near, far);
   }
-  if (this->MakesTriangle(position) ||
+  if (this->MakesTriangle(index) ||
     (!this->CollapseOnto(original, near, faces) && !this->CollapseOnto(original, far, faces)))
   {
     return false;
   }
-  this->FeatureCurves.Remove(position);
+  this->FeatureCurves.Remove(index);
   this->WasTouched[before] = this->WasTouched[after] = 1;
   return true;
 }

@@ -35,14 +35,14 @@ public:
 
   struct Targets
   {
-    Index Edges = 0;    ///< Number of curve edges to reach.
-    Index Faces = 0;    ///< Least number of faces of the mesh.
-    double Bound = 0.0; ///< mm, of the deviation of a curve from the original one.
+    Index Edges = 0;           ///< Number of curve edges to reach.
+    Index Faces = 0;           ///< Least number of faces of the mesh.
+    double MaxDeviation = 0.0; ///< mm, of the deviation of a curve from the original one.
   };
   struct Result
   {
-    Index Gone = 0;       ///< Number of original vertices removed.
-    bool IsBound = false; ///< A larger bound would allow more.
+    Index Removed = 0;      ///< Number of original vertices removed.
+    bool IsLimited = false; ///< A larger bound would allow more.
     bool IsAborted = false;
   };
 
@@ -53,19 +53,19 @@ private:
   {
     double Deviation; // mm
     double Length;    // mm, of the new edge
-    Index Position;
+    Index CurveIndex;
   };
 
-  void ListCandidates(double bound, Result& result);
+  void ListCandidates(double maxDeviation, Result& result);
   Index Pass(const Targets& targets, Index most, const Monitor& monitor, Result& result);
-  bool MakesTriangle(Index position);
-  bool TryRemove(Index position, Index faces);
+  bool MakesTriangle(Index index);
+  bool TryRemove(Index index, Index faces);
   bool CollapseOnto(VertexId gone, VertexId stays, Index faces);
 
   Editor& MeshEditor;
   PatchBoundaries& FeatureCurves;
   std::vector<Candidate> Candidates;
-  std::vector<char> WasTouched; // of each position, in this pass
+  std::vector<char> WasTouched; // of each index, in this pass
   std::vector<Edit> Edits;
   std::vector<Index> BesideBefore; // original vertices
   std::vector<Index> BesideAfter;

@@ -9,25 +9,25 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double FacesOfNext = 0.25;
-constexpr double EdgesOfBound = 0.5;
+constexpr double FacesOfNextStage = 0.25;
+constexpr double EdgesOfMaxDeviation = 0.5;
 /// Once the run is stuck, a stage is run only after the curves have lost more than one edge in this
 /// many.
-constexpr Index MinOfLines = 128;
+constexpr Index EdgesPerRemoved = 128;
 constexpr double MinRatioOfCurve = 1e-12;
 }
 
 FeatureCurveStages::FeatureCurveStages(
   Editor& editor, const StopTargets& stops, const Monitor& monitor)
   : MeshEditor(editor)
-  , All(stops)
-  , OfStage(stops)
-  , Tell(monitor)
-  , TellOfStage(monitor)
-  , FacesAtFirst(editor.Mesh().NumberOfFaces())
-  , Ratio(this->RatioOf(this->FacesAtFirst))
+  , RunTargets(stops)
+  , StageTargets(stops)
+  , RunMonitor(monitor)
+  , StageMonitor(monitor)
+  , InitialFaces(editor.Mesh().NumberOfFaces())
+  , Ratio(this->RatioOf(this->InitialFaces))
 {
-  if (this->FacesAtFirst > stops.Faces && editor.FeatureCurves() != nullptr)
+  if (this->InitialFaces > stops.Faces && editor.FeatureCurves() != nullptr)
   {
     this->FeatureCurves.emplace(editor);
   }
@@ -36,33 +36,33 @@ FeatureCurveStages::FeatureCurveStages(
 //------------------------------------------------------------------------------
 bool FeatureCurveStages::Next()
 {
-  while (this->GoesOn && this->FeatureCurves)
+  while (this->ShouldContinue && this->FeatureCurves)
   {
-    this->Ratio *= FacesOfNext;
+    this->Ratio *= FacesOfNextStage;
     this->Ratio =
-      this->IsStuck ? this->Ratio : std::max(this->Ratio, this->RatioOf(this->All.Faces));
+      this->IsStuck ? this->Ratio : std::max(this->Ratio, this->RatioOf(this->RunTargets.Faces));
     const Index faces = this->FacesOfStageAt(this->Ratio);
-    const FeatureCurveCollapse::Result lines = this->CollapseFeatureCurves(faces);
-    this->Gone += lines.Gone;
+    const FeatureCurveCollapse::Result curves = this->CollapseFeatureCurves(faces);
+    this->RemovedVertices += curves.Removed;
     const bool isWorth =
-      this->Gone > this->MeshEditor.FeatureCurves()->NumberOfEdges() / MinOfLines;
-    const bool areDone = !lines.IsBound || this->Ratio < MinRatioOfCurve;
-    if (lines.IsAborted)
+      this->RemovedVertices > this->MeshEditor.FeatureCurves()->NumberOfEdges() / EdgesPerRemoved;
+    const bool isDone = !curves.IsLimited || this->Ratio < MinRatioOfCurve;
+    if (curves.IsAborted)
     {
-      this->Ended = StopReason::Aborted;
+      this->LastReason = StopReason::Aborted;
       return false;
     }
-    this->MayGoOn = !areDone || isWorth;
-    const bool isDue = !this->IsStuck || isWorth || (areDone && this->Gone > 0);
+    this->CanCoarsen = !isDone || isWorth;
+    const bool isDue = !this->IsStuck || isWorth || (isDone && this->RemovedVertices > 0);
     this->BeginStage(faces);
     if (isDue)
     {
-      this->Gone = 0;
+      this->RemovedVertices = 0;
       return true;
     }
-    this->Note(this->Ended);
+    this->NoteEnd(this->LastReason);
   }
-  return this->GoesOn;
+  return this->ShouldContinue;
 }
 
 //------------------------------------------------------------------------------
@@ -70,22 +70,22 @@ void FeatureCurveStages::BeginStage(Index faces)
 {
   const double from = this->FractionAt(this->MeshEditor.Mesh().NumberOfFaces());
   const double to = std::max(from, this->FractionAt(faces));
-  this->OfStage = { faces, faces == this->All.Faces ? this->All.Error : 0.0 };
-  this->TellOfStage = [this, from, to](double done)
+  this->StageTargets = { faces, faces == this->RunTargets.Faces ? this->RunTargets.Error : 0.0 };
+  this->StageMonitor = [this, from, to](double done)
   {
-    this->Told = std::max(this->Told, from + done * (to - from)); // never less than before
-    return this->Tell(this->Told);
+    this->Reported = std::max(this->Reported, from + done * (to - from)); // never less than before
+    return this->RunMonitor(this->Reported);
   };
 }
 
 //------------------------------------------------------------------------------
-void FeatureCurveStages::Note(StopReason reason)
+void FeatureCurveStages::NoteEnd(StopReason reason)
 {
   const Index faces = this->MeshEditor.Mesh().NumberOfFaces();
-  this->Ended = reason;
-  this->GoesOn = this->FeatureCurves && reason != StopReason::Aborted && faces > this->All.Faces &&
-    (!this->IsStuck || this->MayGoOn);
-  this->IsStuck = this->IsStuck || faces > this->OfStage.Faces;
+  this->LastReason = reason;
+  this->ShouldContinue = this->FeatureCurves && reason != StopReason::Aborted &&
+    faces > this->RunTargets.Faces && (!this->IsStuck || this->CanCoarsen);
+  this->IsStuck = this->IsStuck || faces > this->StageTargets.Faces;
 }
 
 //------------------------------------------------------------------------------
@@ -98,7 +98,7 @@ double FeatureCurveStages::RatioOf(Index faces) const
 Index FeatureCurveStages::FacesOfStageAt(double ratio) const
 {
   const double faces = ratio * this->MeshEditor.Mesh().NumberOfFaceSlots();
-  return std::max(this->All.Faces, static_cast<Index>(std::floor(faces)));
+  return std::max(this->RunTargets.Faces, static_cast<Index>(std::floor(faces)));
 }
 
 //------------------------------------------------------------------------------
@@ -107,22 +107,22 @@ FeatureCurveCollapse::Result FeatureCurveStages::CollapseFeatureCurves(Index fac
   const double factor = std::sqrt(this->Ratio);
   FeatureCurveCollapse::Targets targets;
   targets.Edges =
-    static_cast<Index>(factor * this->MeshEditor.FeatureCurves()->NumberOfEdgesAtFirst());
+    static_cast<Index>(factor * this->MeshEditor.FeatureCurves()->NumberOfInitialEdges());
   targets.Faces = faces;
-  targets.Bound = EdgesOfBound * this->MeshEditor.Mesh().LengthAtFirst() / factor;
+  targets.MaxDeviation = EdgesOfMaxDeviation * this->MeshEditor.Mesh().InitialEdgeLength() / factor;
   const double done = this->FractionAt(this->MeshEditor.Mesh().NumberOfFaces());
   return this->FeatureCurves->Run(targets,
     [this, done](double)
     {
-      this->Told = std::max(this->Told, done);
-      return this->Tell(this->Told);
+      this->Reported = std::max(this->Reported, done);
+      return this->RunMonitor(this->Reported);
     });
 }
 
 //------------------------------------------------------------------------------
 double FeatureCurveStages::FractionAt(Index faces) const
 {
-  const double wanted = this->FacesAtFirst - this->All.Faces;
-  return std::min(1.0, (this->FacesAtFirst - faces) / std::max(1.0, wanted));
+  const double wanted = this->InitialFaces - this->RunTargets.Faces;
+  return std::min(1.0, (this->InitialFaces - faces) / std::max(1.0, wanted));
 }
 }

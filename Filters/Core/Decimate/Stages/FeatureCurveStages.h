@@ -7,7 +7,7 @@
  *
  *     FeatureCurveStages stages(editor, stops, monitor)
  *     while (stages.Next())
- *         stages.Note(run to stages.Targets() with stages.Progress())
+ *         stages.NoteEnd(run to stages.Targets() with stages.Progress())
  *
  *     no curves: one stage
  *     stage:     a quarter of the faces, or the target if that is more
@@ -39,12 +39,12 @@ public:
   /// Simplifies the curves for the next stage. False if there is none or the monitor requests a
   /// stop.
   bool Next();
-  const StopTargets& Targets() const { return this->OfStage; }
+  const StopTargets& Targets() const { return this->StageTargets; }
   /// Maps fractions of the stage to those of the run.
-  const Monitor& Progress() const { return this->TellOfStage; }
+  const Monitor& Progress() const { return this->StageMonitor; }
   /// Why the run of the stage ended.
-  void Note(StopReason reason);
-  StopReason Reason() const { return this->Ended; }
+  void NoteEnd(StopReason reason);
+  StopReason Reason() const { return this->LastReason; }
 
 private:
   double RatioOf(Index faces) const;
@@ -54,19 +54,19 @@ private:
   void BeginStage(Index faces);
 
   Editor& MeshEditor;
-  StopTargets All;
-  StopTargets OfStage;
-  const Monitor& Tell;
-  Monitor TellOfStage;
+  StopTargets RunTargets;
+  StopTargets StageTargets;
+  const Monitor& RunMonitor;
+  Monitor StageMonitor;
   std::optional<FeatureCurveCollapse> FeatureCurves; // none: no curves
-  Index FacesAtFirst;
-  double Ratio;   // of the faces that there were before the first edit
-  Index Gone = 0; // since the last stage
-  double Told = 0.0;
-  bool GoesOn = true;
+  Index InitialFaces;
+  double Ratio;              // of the faces that there were before the first edit
+  Index RemovedVertices = 0; // since the last stage
+  double Reported = 0.0;
+  bool ShouldContinue = true;
   bool IsStuck = false;
-  bool MayGoOn = false; // whether coarser curves may help if the run is stuck
-  StopReason Ended = StopReason::NothingLeft;
+  bool CanCoarsen = false; // whether coarser curves may help if the run is stuck
+  StopReason LastReason = StopReason::NothingLeft;
 };
 }
 

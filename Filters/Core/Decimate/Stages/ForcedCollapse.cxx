@@ -12,27 +12,26 @@ namespace bonedecimate
 ForcedCollapse::ForcedCollapse(
   Editor& editor, Samples& samples, OriginalHints& hints, ForcedReach reach, int threads)
   : MeshEditor(editor)
-  , Fit(samples)
-  , Back(hints)
-  , Candidates(editor, samples, hints, reach.Farthest, threads)
+  , OriginalSamples(samples)
+  , Hints(hints)
+  , Candidates(editor, samples, hints, reach.MaxRatio, threads)
   , Reach(reach)
   , Threads(threads)
-  , Taken(static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots()), 0)
+  , IsTaken(static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots()), 0)
 {
 }
 
 //------------------------------------------------------------------------------
 bool ForcedCollapse::Run(Index faces, const Monitor& monitor)
 {
-  constexpr int mostRounds = 40;
+  constexpr int maxRounds = 40;
   constexpr double evaluatedAt = 0.4; // of a round
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  for (int round = 0; round < mostRounds && mesh.NumberOfFaces() > faces; ++round)
+  for (int round = 0; round < maxRounds && mesh.NumberOfFaces() > faces; ++round)
   {
-    const Monitor tell =
-      PartOf(monitor, static_cast<double>(round) / mostRounds, (round + 1.0) / mostRounds);
+    const Monitor tell = StepOf(monitor, round, maxRounds);
     this->DropChanged();
-    if (!this->Candidates.Find(PartOf(tell, 0.0, evaluatedAt), this->Waiting))
+    if (!this->Candidates.Find(PartOf(tell, 0.0, evaluatedAt), this->WaitingCandidates))
     {
       return false;
     }
@@ -48,8 +47,7 @@ bool ForcedCollapse::Run(Index faces, const Monitor& monitor)
     }
     for (const Trial& trial : trials)
     {
-      const bool isMade =
-        trial.Found.IsWithin && mesh.NumberOfFaces() > faces && this->Apply(trial);
+      const bool isMade = trial.Fit.IsWithin && mesh.NumberOfFaces() > faces && this->Apply(trial);
       this->Figures.Made += isMade ? 1 : 0;
     }
     this->MeshEditor.PrepareCollapses(this->Threads);
@@ -65,19 +63,20 @@ void ForcedCollapse::DropChanged()
   {
     return this->Candidates.IsChanged(candidate.Start) || this->Candidates.IsChanged(candidate.End);
   };
-  this->Waiting.erase(
-    std::remove_if(this->Waiting.begin(), this->Waiting.end(), isChanged), this->Waiting.end());
+  this->WaitingCandidates.erase(
+    std::remove_if(this->WaitingCandidates.begin(), this->WaitingCandidates.end(), isChanged),
+    this->WaitingCandidates.end());
 }
 
 //------------------------------------------------------------------------------
 /// They no longer wait.
 std::vector<ForcedCollapse::Trial> ForcedCollapse::Choose()
 {
-  std::sort(this->Waiting.begin(), this->Waiting.end());
-  std::fill(this->Taken.begin(), this->Taken.end(), 0);
+  std::sort(this->WaitingCandidates.begin(), this->WaitingCandidates.end());
+  std::fill(this->IsTaken.begin(), this->IsTaken.end(), 0);
   std::vector<Trial> trials;
   std::vector<SlackCandidate> left;
-  for (const SlackCandidate& candidate : this->Waiting)
+  for (const SlackCandidate& candidate : this->WaitingCandidates)
   {
     Trial trial = { candidate };
     if (!this->Gather(candidate, trial.Vertices))
@@ -85,7 +84,7 @@ std::vector<ForcedCollapse::Trial> ForcedCollapse::Choose()
       continue;
     }
     const bool isFree = std::none_of(trial.Vertices.begin(), trial.Vertices.end(),
-      [this](Index v) { return this->Taken[v] != 0; });
+      [this](Index v) { return this->IsTaken[v] != 0; });
     if (!isFree)
     {
       left.push_back(candidate);
@@ -93,11 +92,11 @@ std::vector<ForcedCollapse::Trial> ForcedCollapse::Choose()
     }
     for (const Index v : trial.Vertices)
     {
-      this->Taken[v] = 1;
+      this->IsTaken[v] = 1;
     }
     trials.push_back(std::move(trial));
   }
-  this->Waiting = std::move(left);
+  this->WaitingCandidates = std::move(left);
   return trials;
 }
 
@@ -106,11 +105,11 @@ std::vector<ForcedCollapse::Trial> ForcedCollapse::Choose()
 bool ForcedCollapse::Gather(const SlackCandidate& candidate, std::vector<Index>& vertices)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  if (!this->MeshEditor.Gather(candidate.Edge, this->Space).IsAccepted())
+  if (!this->MeshEditor.Gather(candidate.Edge, this->Workspace).IsAccepted())
   {
     return false;
   }
-  const std::vector<Index>& ring = this->Space.Around.Ring;
+  const std::vector<Index>& ring = this->Workspace.Neighborhood.Ring;
   vertices.assign(ring.begin(), ring.end());
   vertices.push_back(candidate.Start);
   vertices.push_back(candidate.End);
@@ -137,11 +136,11 @@ bool ForcedCollapse::TryAll(std::vector<Trial>& trials, const Monitor& monitor)
   return ForEachPart(trials.size(), this->Threads, monitor,
     [&](std::size_t i)
     {
-      Workspace work;
-      PatchFit patch(this->MeshEditor, this->Fit, this->Back, this->Reach.Rings);
-      if (this->MeshEditor.Gather(trials[i].Candidate.Edge, work).IsAccepted())
+      EditWorkspace workspace;
+      PatchFit patch(this->MeshEditor, this->OriginalSamples, this->Hints, this->Reach.Rings);
+      if (this->MeshEditor.Gather(trials[i].Candidate.Edge, workspace).IsAccepted())
       {
-        trials[i].Found = patch.Fit(work.Around, trials[i].Candidate);
+        trials[i].Fit = patch.Fit(workspace.Neighborhood, trials[i].Candidate);
       }
     });
 }
@@ -149,26 +148,26 @@ bool ForcedCollapse::TryAll(std::vector<Trial>& trials, const Monitor& monitor)
 //------------------------------------------------------------------------------
 bool ForcedCollapse::Apply(const Trial& trial)
 {
-  const PatchFit::Result& found = trial.Found;
+  const PatchFit::Result& found = trial.Fit;
   Edit edit;
   edit.Edge = trial.Candidate.Edge;
   edit.Keep = trial.Candidate.Start;
   edit.Position = found.Position;
-  if (!this->MeshEditor.Try(edit, found.Nearby, this->Space).IsAccepted())
+  if (!this->MeshEditor.Try(edit, found.Nearby, this->Workspace).IsAccepted())
   {
     return false;
   }
   for (const Index face : found.Faces)
   {
-    this->Fit.Take(face);
+    this->OriginalSamples.Take(face);
   }
-  for (const PatchFit::Result::Held& held : found.Samples)
+  for (const PatchFit::Result::SampleOfFace& sample : found.Samples)
   {
-    this->Fit.Put(held.Sample, held.Face);
+    this->OriginalSamples.Put(sample.Sample, sample.Face);
   }
-  for (const PatchFit::Result::Near& near : found.Hints)
+  for (const PatchFit::Result::Hint& hint : found.Hints)
   {
-    this->Back.Set(near.Vertex, near.Triangle);
+    this->Hints.Set(hint.Vertex, hint.Triangle);
   }
   for (const Index v : trial.Vertices)
   {

@@ -28,7 +28,7 @@ namespace bonedecimate
 {
 struct ForcedReach
 {
-  double Farthest; ///< The largest ratio of a candidate.
+  double MaxRatio; ///< The largest ratio of a candidate.
   int Rings;       ///< Rings of vertices around it that may move.
 };
 
@@ -48,7 +48,7 @@ private:
   {
     SlackCandidate Candidate;
     std::vector<Index> Vertices = {}; // that the edit may read
-    PatchFit::Result Found = {};
+    PatchFit::Result Fit = {};
   };
   void DropChanged();
   std::vector<Trial> Choose();
@@ -57,15 +57,15 @@ private:
   bool Apply(const Trial& trial);
 
   Editor& MeshEditor;
-  Samples& Fit;
-  OriginalHints& Back;
+  Samples& OriginalSamples;
+  OriginalHints& Hints;
   SlackCandidates Candidates;
   ForcedReach Reach;
   int Threads;
   ForcedCollapseFigures Figures;
-  Workspace Space;
-  std::vector<SlackCandidate> Waiting;
-  std::vector<char> Taken; // of each vertex, in this round
+  EditWorkspace Workspace;
+  std::vector<SlackCandidate> WaitingCandidates;
+  std::vector<char> IsTaken; // of each vertex, in this round
 };
 }
 

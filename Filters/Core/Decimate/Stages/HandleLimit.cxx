@@ -76,7 +76,7 @@ bool AreHandlesInTheWay(const Editor& editor)
   {
     return false;
   }
-  Workspace work;
+  EditWorkspace workspace;
   Index edges = 0;
   Index loops = 0;
   VisitHalfEdges(mesh,
@@ -85,7 +85,7 @@ bool AreHandlesInTheWay(const Editor& editor)
       if (mesh.Twin(h) == None || h < mesh.Twin(h))
       {
         ++edges;
-        loops += editor.Gather(h, work).Reason() == Rejection::LinkCondition ? 1 : 0;
+        loops += editor.Gather(h, workspace).Reason() == Rejection::LinkCondition ? 1 : 0;
       }
     });
   return 2 * loops >= edges;

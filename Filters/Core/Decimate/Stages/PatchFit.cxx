@@ -5,7 +5,6 @@
 #include "Decimate/Edit/FlipAndMoveRules.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace bonedecimate
 {
@@ -15,18 +14,18 @@ constexpr int MaxSweeps = 8;
 /// A vertex whose faces use less of the bound stays.
 constexpr double RatioToMove = 0.9;
 /// A little less than the bound: what the samples miss.
-constexpr double Within = 0.99;
+constexpr double MaxProposedRatio = 0.99;
 /// A sweep must gain that much of the largest ratio, and the rest must be within reach of the
 /// sweeps that are left.
 constexpr double MinGainOfSweep = 0.002;
-constexpr double MaxHope = 1.2;
+constexpr double MaxGainsNeeded = 1.2;
 }
 
 PatchFit::PatchFit(
   const Editor& editor, const Samples& samples, const OriginalHints& hints, int rings)
   : Rings(rings)
   , Mesh(editor.Mesh())
-  , Back(hints)
+  , Hints(hints)
   , Slack(editor, samples, hints)
 {
 }
@@ -35,7 +34,7 @@ PatchFit::PatchFit(
 PatchFit::Result PatchFit::Fit(const EdgeNeighborhood& around, const SlackCandidate& candidate)
 {
   this->Copy(around, candidate);
-  return this->SweepUntilWithin() ? this->Found(around) : Result();
+  return this->SweepUntilWithin() ? this->MakeResult(around) : Result();
 }
 
 //------------------------------------------------------------------------------
@@ -50,7 +49,7 @@ void PatchFit::Copy(const EdgeNeighborhood& around, const SlackCandidate& candid
   {
     const std::size_t second = this->VertexOf(around.Ring[i]);
     fan.push_back({ this->FaceOf(HalfEdgeMesh::Face(around.Corners[i])), second,
-      this->VertexOf(around.Ring[(i + 1) % around.Ring.size()]) });
+      this->VertexOf(around.RingAfter(i)) });
   }
   this->Vertices[0].Fan = std::move(fan);
   std::size_t from = 1;
@@ -77,11 +76,10 @@ void PatchFit::CopyRing(VertexId vertex, const EdgeNeighborhood& around)
   for (const HalfEdgeId h : this->Mesh.OutgoingOf(vertex))
   {
     const FaceId face = HalfEdgeMesh::Face(h);
-    if (face != around.GoneFaces[0] && face != around.GoneFaces[1])
+    if (face != around.RemovedFaces[0] && face != around.RemovedFaces[1])
     {
       const std::size_t second = this->VertexOf(merged(this->Mesh.Target(h)));
-      fan.push_back({ this->FaceOf(face), second,
-        this->VertexOf(merged(this->Mesh.Origin(HalfEdgeMesh::Previous(h)))) });
+      fan.push_back({ this->FaceOf(face), second, this->VertexOf(merged(this->Mesh.Apex(h))) });
     }
   }
   this->Vertices[this->VertexOf(vertex)].Fan = std::move(fan);
@@ -105,8 +103,7 @@ void PatchFit::CopySamples(const EdgeNeighborhood& around)
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    const std::size_t slot = SlackCandidates::SlotOfGone(around, k);
-    copy(around.GoneFaces[k], this->Vertices[0].Fan[slot].Face);
+    copy(around.RemovedFaces[k], this->Vertices[0].Fan[around.SlotAtApex(k)].Face);
   }
 }
 
@@ -134,7 +131,7 @@ std::size_t PatchFit::VertexOf(Index id)
   if (known == this->Vertices.end())
   {
     this->Vertices.push_back(
-      { id, this->Mesh.Position(VertexId(id)), this->Back.Of(VertexId(id)), {} });
+      { id, this->Mesh.Position(VertexId(id)), this->Hints.Of(VertexId(id)), {} });
   }
   return position;
 }
@@ -150,7 +147,7 @@ SlackFit::Value PatchFit::Evaluate(const Vertex& vertex, const Vector3& position
       this->Vertices[corner.Second].Position, this->Vertices[corner.Third].Position);
     for (const SlackFit::Member& member : this->Faces[corner.Face].Members)
     {
-      this->Slack.AddMember({ member.Sample, slot, member.Counts });
+      this->Slack.AddMember({ member.Sample, slot, member.IsCounted });
     }
   }
   return this->Slack.Evaluate(position, vertex.Hint, enough);
@@ -190,9 +187,9 @@ double PatchFit::Improve(Vertex& vertex)
 {
   const SlackFit::Value before = this->Evaluate(vertex, vertex.Position, Infinity);
   this->HandOver(vertex);
-  if (!(before.Largest > RatioToMove))
+  if (!(before.MaxRatio > RatioToMove))
   {
-    return before.Largest;
+    return before.MaxRatio;
   }
   const Vector3 start = vertex.Position;
   const Index badBefore = this->NumberOfBadFaces(vertex);
@@ -200,12 +197,12 @@ double PatchFit::Improve(Vertex& vertex)
   if (!(after.Error < before.Error) || this->NumberOfBadFaces(vertex) > badBefore)
   {
     vertex.Position = start;
-    return before.Largest;
+    return before.MaxRatio;
   }
   vertex.Hint = after.Hint;
   vertex.HasMoved = true;
   this->HandOver(vertex);
-  return after.Largest;
+  return after.MaxRatio;
 }
 
 //------------------------------------------------------------------------------
@@ -221,7 +218,7 @@ double PatchFit::MaxRatio()
     }
     largest = vertex.Fan.empty()
       ? largest
-      : std::max(largest, this->Evaluate(vertex, vertex.Position, Infinity).Largest);
+      : std::max(largest, this->Evaluate(vertex, vertex.Position, Infinity).MaxRatio);
   }
   return largest;
 }
@@ -248,14 +245,14 @@ bool PatchFit::SweepUntilWithin()
   for (int sweep = 0; sweep < MaxSweeps; ++sweep)
   {
     const double largest = this->Sweep();
-    if (largest <= Within && this->MaxRatio() <= Within)
+    if (largest <= MaxProposedRatio && this->MaxRatio() <= MaxProposedRatio)
     {
       return true;
     }
     const double gain = before - largest;
     const int left = MaxSweeps - 1 - sweep;
     if (!(gain > MinGainOfSweep * largest) ||
-      (sweep > 0 && largest - Within > MaxHope * gain * left))
+      (sweep > 0 && largest - MaxProposedRatio > MaxGainsNeeded * gain * left))
     {
       return false;
     }
@@ -265,7 +262,7 @@ bool PatchFit::SweepUntilWithin()
 }
 
 //------------------------------------------------------------------------------
-PatchFit::Result PatchFit::Found(const EdgeNeighborhood& around) const
+PatchFit::Result PatchFit::MakeResult(const EdgeNeighborhood& around) const
 {
   Result result;
   result.IsWithin = true;
@@ -289,8 +286,8 @@ PatchFit::Result PatchFit::Found(const EdgeNeighborhood& around) const
       result.Samples.push_back({ face.Id, member.Sample });
     }
   }
-  result.Faces.push_back(around.GoneFaces[0]);
-  result.Faces.push_back(around.GoneFaces[1]);
+  result.Faces.push_back(around.RemovedFaces[0]);
+  result.Faces.push_back(around.RemovedFaces[1]);
   return result;
 }
 }

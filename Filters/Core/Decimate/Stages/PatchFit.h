@@ -41,19 +41,19 @@ public:
     bool IsWithin = false;
     Vector3 Position = Vector3::Zero(); ///< Where the merged vertex is, mm from the local origin.
     NearbyEdits Nearby;
-    struct Near
+    struct Hint
     {
       Index Vertex;
       Index Triangle; ///< A triangle of the original.
     };
-    std::vector<Near> Hints; ///< What is near the merged and the moved vertices.
-    struct Held
+    std::vector<Hint> Hints; ///< What is near the merged and the moved vertices.
+    struct SampleOfFace
     {
       Index Face;
       Index Sample;
     };
-    std::vector<Held> Samples; ///< Samples of all faces of the copy.
-    std::vector<Index> Faces;  ///< All faces of the copy, the removed ones included.
+    std::vector<SampleOfFace> Samples; ///< Samples of all faces of the copy.
+    std::vector<Index> Faces;          ///< All faces of the copy, the removed ones included.
   };
   /// @param around What is around the edge of the candidate; its ends move freely.
   Result Fit(const EdgeNeighborhood& around, const SlackCandidate& candidate);
@@ -105,11 +105,11 @@ private:
   double MaxRatio();
   double Sweep();
   bool SweepUntilWithin();
-  Result Found(const EdgeNeighborhood& around) const;
+  Result MakeResult(const EdgeNeighborhood& around) const;
 
   int Rings;
   const HalfEdgeMesh& Mesh;
-  const OriginalHints& Back;
+  const OriginalHints& Hints;
   SlackFit Slack;
   std::vector<Vertex> Vertices; // the merged one first
   std::vector<Face> Faces;

@@ -69,7 +69,7 @@ void PatchFit::GatherPair(
   {
     for (const SlackFit::Member& member : this->Faces[from].Members)
     {
-      this->Slack.AddMember({ member.Sample, from == faces[0] ? 0U : 1U, member.Counts });
+      this->Slack.AddMember({ member.Sample, from == faces[0] ? 0U : 1U, member.IsCounted });
     }
   }
 }
@@ -81,7 +81,7 @@ bool PatchFit::FlipImproves(const Edge& edge)
   const Vertex& c = this->Vertices[edge.C];
   this->GatherPair({ edge.A, edge.D, edge.B, edge.C }, { edge.Right, edge.Left });
   const SlackFit::Value now = this->Slack.EvaluatePair(a.Position, a.Hint, Infinity);
-  if (!(now.Largest > RatioToFlip))
+  if (!(now.MaxRatio > RatioToFlip))
   {
     return false;
   }

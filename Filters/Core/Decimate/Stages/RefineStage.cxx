@@ -58,15 +58,15 @@ bool RefineAndCollapse(const StageInput& input, Refinement& refinement, const Mo
   const RefineSettings& settings = input.Mode.Refine;
   const int rounds = input.MeshEditor.LimitsEdits() ? settings.VoxelRounds : 1;
   const Monitor tell = PartOf(monitor, begunAt, 1.0);
-  bool goesOn = refinement.Begin(PartOf(monitor, 0.0, begunAt));
-  for (int i = 0; i < rounds && goesOn; ++i)
+  bool shouldContinue = refinement.Begin(PartOf(monitor, 0.0, begunAt));
+  for (int i = 0; i < rounds && shouldContinue; ++i)
   {
-    const Monitor round = PartOf(tell, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
-    goesOn = refinement.Sweep(settings.SweepsBefore, PartOf(round, 0.0, sweptAt)) &&
+    const Monitor round = StepOf(tell, i, rounds);
+    shouldContinue = refinement.Sweep(settings.SweepsBefore, PartOf(round, 0.0, sweptAt)) &&
       ShapeBetween(input, refinement, PartOf(round, sweptAt, shapedAt)) &&
       CollapseLast(input, refinement, PartOf(round, shapedAt, 1.0));
   }
-  return goesOn;
+  return shouldContinue;
 }
 
 /// How many of the mode's rounds the options request.
@@ -80,14 +80,14 @@ bool CollapseBySlack(const StageInput& input, SlackRefinement& slack, const Moni
 {
   constexpr double sweptAt = 0.6; // of a round
   const int rounds = RoundsOf(input, input.Mode.Refine.ProvedRounds);
-  bool goesOn = true;
-  for (int i = 0; i < rounds && goesOn && !input.HasReachedFaces(); ++i)
+  bool shouldContinue = true;
+  for (int i = 0; i < rounds && shouldContinue && !input.HasReachedFaces(); ++i)
   {
-    const Monitor round = PartOf(monitor, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
-    goesOn = slack.Sweep(input.Mode.Refine.ProvedSweeps, PartOf(round, 0.0, sweptAt)) &&
+    const Monitor round = StepOf(monitor, i, rounds);
+    shouldContinue = slack.Sweep(input.Mode.Refine.ProvedSweeps, PartOf(round, 0.0, sweptAt)) &&
       slack.Collapse(input.Stops.Faces, PartOf(round, sweptAt, 1.0));
   }
-  return goesOn;
+  return shouldContinue;
 }
 
 /// Collapses that exceed the error bound before vertices around them move: in the first round by
@@ -100,29 +100,29 @@ bool ForceCollapses(const StageInput& input, SlackRefinement& slack, const Monit
   constexpr ForcedReach usual = { 1.4, 1 };
   constexpr ForcedReach wide = { 1.6, 2 };
   constexpr std::int64_t triedOfWide = 3; // for each that was made
-  constexpr Index leastOfRound = 64;
+  constexpr Index facesPerRemoved = 64;
   constexpr double forcedAt = 0.8; // of a round
   const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
   const int rounds = RoundsOf(input, input.Mode.Refine.ForcedRounds);
   ForcedCollapseFigures figures;
   ForcedReach reach = first;
-  bool goesOn = true;
+  bool shouldContinue = true;
   bool isWorthIt = true;
-  for (int i = 0; i < rounds && goesOn && isWorthIt && !input.HasReachedFaces(); ++i)
+  for (int i = 0; i < rounds && shouldContinue && isWorthIt && !input.HasReachedFaces(); ++i)
   {
     const Index before = mesh.NumberOfFaces();
-    const Monitor round = PartOf(monitor, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
+    const Monitor round = StepOf(monitor, i, rounds);
     const ForcedCollapseFigures known = figures;
-    goesOn = slack.Force(input.Stops.Faces, reach, PartOf(round, 0.0, forcedAt), figures) &&
+    shouldContinue = slack.Force(input.Stops.Faces, reach, PartOf(round, 0.0, forcedAt), figures) &&
       slack.Sweep(1, PartOf(round, forcedAt, 1.0));
     reach = figures.Tried - known.Tried <= triedOfWide * (figures.Made - known.Made) ? wide : usual;
-    isWorthIt = i == 0 || before - mesh.NumberOfFaces() >= before / leastOfRound;
+    isWorthIt = i == 0 || before - mesh.NumberOfFaces() >= before / facesPerRemoved;
   }
   if (input.Forced != nullptr)
   {
     *input.Forced = figures;
   }
-  return goesOn;
+  return shouldContinue;
 }
 
 /// With an error bound: by how much of it is left. False if the monitor stopped it.
@@ -159,7 +159,7 @@ bool Refine(const StageInput& input, const Monitor& monitor)
   {
     return RefineWithinBound(input, refinement, monitor);
   }
-  const bool fewRemain = input.Stops.Faces < FewTriangles * input.FacesAtStart;
+  const bool fewRemain = input.Stops.Faces < FewTriangles * input.InitialFaces;
   return RefineAndCollapse(input, refinement, PartOf(monitor, 0.0, collapsedAt)) &&
     refinement.Sweep(
       fewRemain ? settings.SweepsIfFew : settings.SweepsAfter, PartOf(monitor, collapsedAt, 1.0));

@@ -22,49 +22,22 @@ std::vector<float> LimitsOf(const Editor& editor, const HalfEdgeMesh& original)
 
 Refinement::Refinement(
   Editor& editor, const HalfEdgeMesh& original, double shapeWeight, int threads)
-  : MeshEditor(editor)
-  , Fit(original, editor.Bound() == nullptr, LimitsOf(editor, original),
-      editor.LimitsEdits() ? 0.0 : shapeWeight)
-  , Back(original, editor.Original().NearInitial())
-  , Threads(threads)
+  : SampledRefinement(editor,
+      Samples(original, editor.Bound() == nullptr, LimitsOf(editor, original),
+        editor.LimitsEdits() ? 0.0 : shapeWeight),
+      original, threads)
 {
-}
-
-//------------------------------------------------------------------------------
-bool Refinement::Begin(const Monitor& monitor)
-{
-  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  this->IsSettled = this->Back.Restart(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
-    this->Fit.Distribute(mesh, this->MeshEditor.Original().CurrentOfInitial(), this->Threads,
-      PartOf(monitor, 0.1, 1.0));
-  return this->IsSettled;
-}
-
-//------------------------------------------------------------------------------
-bool Refinement::Settle(const Monitor& monitor)
-{
-  this->IsSettled =
-    this->IsSettled || this->Fit.Settle(this->MeshEditor.Mesh(), this->Threads, monitor);
-  return this->IsSettled && monitor(1.0);
 }
 
 //------------------------------------------------------------------------------
 bool Refinement::Sweep(int times, const Monitor& monitor)
 {
-  constexpr double settledAt = 0.06;
-  constexpr double flippedAt = 0.45;
-  return this->MeshEditor.FlipAndMove(
-    [&]
+  constexpr double flippedAt = 0.41;
+  return this->RepeatSweeps(times, monitor,
+    [this](const Monitor& sweep)
     {
-      bool goesOn = true;
-      for (int i = 0; i < times && goesOn; ++i)
-      {
-        const Monitor sweep = PartOf(monitor, static_cast<double>(i) / times, (i + 1.0) / times);
-        goesOn = this->Settle(PartOf(sweep, 0.0, settledAt)) &&
-          this->FlipEdges(PartOf(sweep, settledAt, flippedAt)) &&
-          this->MoveVertices(PartOf(sweep, flippedAt, 1.0));
-      }
-      return goesOn;
+      return this->FlipEdges(PartOf(sweep, 0.0, flippedAt)) &&
+        this->MoveVertices(PartOf(sweep, flippedAt, 1.0));
     });
 }
 
@@ -76,11 +49,11 @@ bool Refinement::FlipEdges(const Monitor& monitor)
     static_cast<std::size_t>(this->MeshEditor.Mesh().NumberOfFaceSlots()), -1.0F);
   const auto makeFlipper = [&](VertexRange range)
   {
-    return [flipper = EdgeFlipper(this->MeshEditor, this->Fit, this->Back, faceErrors, range,
-              blocks.Count())](VertexId v) mutable { flipper.Improve(v); };
+    return [flipper = EdgeFlipper(this->MeshEditor, this->OriginalSamples, this->Hints, faceErrors,
+              range, blocks.Count())](VertexId v) mutable { flipper.Improve(v); };
   };
-  return this->MeshEditor.FlipAndMove([&]
-    { return blocks.ForEach(this->MeshEditor.Mesh(), this->EditThreads(), monitor, makeFlipper); });
+  return this->MeshEditor.FlipAndMove(
+    [&] { return blocks.ForEach(this->MeshEditor.Mesh(), this->Threads, monitor, makeFlipper); });
 }
 
 //------------------------------------------------------------------------------
@@ -90,20 +63,20 @@ bool Refinement::MoveVertices(const Monitor& monitor)
   VertexBlocks blocks(this->MeshEditor.Mesh());
   const auto makeMover = [&](VertexRange range)
   {
-    return [mover = VertexMover(this->MeshEditor, this->Fit, this->Back, range, blocks.Count())](
-             VertexId v) mutable { mover.Improve(v); };
+    return [mover = VertexMover(this->MeshEditor, this->OriginalSamples, this->Hints, range,
+              blocks.Count())](VertexId v) mutable { mover.Improve(v); };
   };
-  return this->MeshEditor.FlipAndMove([&]
-    { return blocks.ForEach(this->MeshEditor.Mesh(), this->EditThreads(), monitor, makeMover); });
+  return this->MeshEditor.FlipAndMove(
+    [&] { return blocks.ForEach(this->MeshEditor.Mesh(), this->Threads, monitor, makeMover); });
 }
 
 //------------------------------------------------------------------------------
 bool Refinement::CollapseTo(Index faces, int edgesOfCollapse, const Monitor& monitor)
 {
-  constexpr double settledAt = 0.1;
   this->MeshEditor.PrepareCollapses(this->Threads);
-  return this->Settle(PartOf(monitor, 0.0, settledAt)) &&
-    ErrorCollapse(this->MeshEditor, this->Fit, this->Back, edgesOfCollapse, this->Threads)
-      .Run(faces, PartOf(monitor, settledAt, 1.0));
+  return this->SettleSamples(PartOf(monitor, 0.0, SettledAt)) &&
+    ErrorCollapse(
+      this->MeshEditor, this->OriginalSamples, this->Hints, edgesOfCollapse, this->Threads)
+      .Run(faces, PartOf(monitor, SettledAt, 1.0));
 }
 }

@@ -15,13 +15,11 @@
 #ifndef BoneDecimate_Core_Decimate_Stages_Refinement_h
 #define BoneDecimate_Core_Decimate_Stages_Refinement_h
 
-#include "Decimate/Edit/Editor.h"
-#include "Proof/Reference/OriginalHints.h"
-#include "Proof/Reference/Samples.h"
+#include "SampledRefinement.h"
 
 namespace bonedecimate
 {
-class Refinement
+class Refinement : public SampledRefinement
 {
 public:
   /// @param original The mesh before the first collapse; must not change.
@@ -31,22 +29,13 @@ public:
 
   /// Monitors receive fractions from 0 to 1. False if the monitor requests a stop; the surface is
   /// valid then, too.
-  bool Begin(const Monitor& monitor);
   bool Sweep(int times, const Monitor& monitor);
   /// @param edgesOfCollapse Number of edges evaluated for each remaining collapse.
   bool CollapseTo(Index faces, int edgesOfCollapse, const Monitor& monitor);
 
 private:
-  bool Settle(const Monitor& monitor);
   bool FlipEdges(const Monitor& monitor);
   bool MoveVertices(const Monitor& monitor);
-  int EditThreads() const { return this->MeshEditor.HasHook() ? 1 : this->Threads; }
-
-  Editor& MeshEditor;
-  Samples Fit;
-  OriginalHints Back;
-  int Threads;
-  bool IsSettled = false; // whether no vertex has moved since the samples were
 };
 }
 

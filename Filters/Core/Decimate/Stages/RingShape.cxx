@@ -23,8 +23,7 @@ void RingShape::Gather(const HalfEdgeMesh& mesh, VertexId vertex)
   this->Sides.clear();
   for (const HalfEdgeId h : mesh.OutgoingOf(vertex))
   {
-    this->Sides.push_back(
-      { mesh.Position(mesh.Target(h)), mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h))) });
+    this->Sides.push_back({ mesh.Position(mesh.Target(h)), mesh.Position(mesh.Apex(h)) });
   }
 }
 
@@ -34,8 +33,7 @@ void RingShape::Gather(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around)
   this->Sides.clear();
   for (std::size_t i = 0; i < around.Corners.size(); ++i)
   {
-    this->Sides.push_back(
-      { mesh.Position(around.Ring[i]), mesh.Position(around.Ring[(i + 1) % around.Ring.size()]) });
+    this->Sides.push_back({ mesh.Position(around.Ring[i]), mesh.Position(around.RingAfter(i)) });
   }
 }
 

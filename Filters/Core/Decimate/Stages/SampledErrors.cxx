@@ -9,11 +9,11 @@ namespace bonedecimate
 SampledErrors::SampledErrors(
   const HalfEdgeMesh& mesh, const Samples& samples, const OriginalHints& hints)
   : Mesh(mesh)
-  , Fit(samples)
-  , Back(hints)
-  , Weigh(mesh.Unit(), samples.MeanValues())
-  , Faces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), 0.0F)
-  , Vertices(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0.0F)
+  , OriginalSamples(samples)
+  , Hints(hints)
+  , Penalties(mesh.Unit(), samples.MeanValues())
+  , FaceErrors(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), 0.0F)
+  , VertexErrors(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0.0F)
   , Stamps(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), 0)
 {
 }
@@ -21,7 +21,7 @@ SampledErrors::SampledErrors(
 //------------------------------------------------------------------------------
 double SampledErrors::OfFace(FaceId face) const
 {
-  return ErrorOfFace(this->Fit, this->Weigh, face, FrameOf(this->Mesh, face));
+  return ErrorOfFace(this->OriginalSamples, this->Penalties, face, FrameOf(this->Mesh, face));
 }
 
 //------------------------------------------------------------------------------
@@ -32,9 +32,10 @@ double SampledErrors::OfVertex(VertexId vertex) const
   {
     area += FrameOf(this->Mesh, HalfEdgeMesh::Face(h)).SurfaceArea();
   }
-  const PointOnMesh found = this->Back.Find(this->Mesh.Position(vertex), vertex);
-  return this->Weigh.OfVertex(
-    BackWeightOfCollapse * CornerFraction * this->Weigh.InUnits(area), found.Point.SquaredDistance);
+  const PointOnMesh found = this->Hints.Find(this->Mesh.Position(vertex), vertex);
+  return this->Penalties.OfVertex(
+    BackWeightOfCollapse * CornerFraction * this->Penalties.InUnits(area),
+    found.Point.SquaredDistance);
 }
 
 //------------------------------------------------------------------------------
@@ -45,7 +46,8 @@ bool SampledErrors::MeasureAll(int threads, const Monitor& monitor)
     for (std::size_t i = first; i < last; ++i)
     {
       const FaceId face = static_cast<Index>(i);
-      this->Faces[i] = this->Mesh.IsAlive(face) ? static_cast<float>(this->OfFace(face)) : 0.0F;
+      this->FaceErrors[i] =
+        this->Mesh.IsAlive(face) ? static_cast<float>(this->OfFace(face)) : 0.0F;
     }
   };
   const auto ofVertices = [&](std::size_t, std::size_t first, std::size_t last)
@@ -54,21 +56,21 @@ bool SampledErrors::MeasureAll(int threads, const Monitor& monitor)
     {
       const VertexId v = static_cast<Index>(i);
       const bool counts = this->Mesh.Outgoing(v) != None && this->Mesh.MovesFreely(v);
-      this->Vertices[i] = counts ? static_cast<float>(this->OfVertex(v)) : 0.0F;
+      this->VertexErrors[i] = counts ? static_cast<float>(this->OfVertex(v)) : 0.0F;
     }
   };
-  return ForEachChunk(this->Faces.size(), threads, PartOf(monitor, 0.0, 0.7), ofFaces) &&
-    ForEachChunk(this->Vertices.size(), threads, PartOf(monitor, 0.7, 1.0), ofVertices);
+  return ForEachChunk(this->FaceErrors.size(), threads, PartOf(monitor, 0.0, 0.7), ofFaces) &&
+    ForEachChunk(this->VertexErrors.size(), threads, PartOf(monitor, 0.7, 1.0), ofVertices);
 }
 
 //------------------------------------------------------------------------------
-double SampledErrors::Around(const EdgeNeighborhood& around) const
+double SampledErrors::ErrorAround(const EdgeNeighborhood& around) const
 {
-  double error = this->Vertices[around.Start] + this->Vertices[around.End] +
-    this->Faces[around.GoneFaces[0]] + this->Faces[around.GoneFaces[1]];
+  double error = this->VertexErrors[around.Start] + this->VertexErrors[around.End] +
+    this->FaceErrors[around.RemovedFaces[0]] + this->FaceErrors[around.RemovedFaces[1]];
   for (const Index corner : around.Corners)
   {
-    error += this->Faces[HalfEdgeMesh::Face(corner)];
+    error += this->FaceErrors[HalfEdgeMesh::Face(corner)];
   }
   return error;
 }
@@ -76,12 +78,12 @@ double SampledErrors::Around(const EdgeNeighborhood& around) const
 //------------------------------------------------------------------------------
 void SampledErrors::AfterCollapse(VertexId vertex, double vertexError)
 {
-  this->Vertices[vertex] = static_cast<float>(vertexError);
+  this->VertexErrors[vertex] = static_cast<float>(vertexError);
   ++this->Stamps[vertex];
   for (const HalfEdgeId h : this->Mesh.OutgoingOf(vertex))
   {
     const FaceId face = HalfEdgeMesh::Face(h);
-    this->Faces[face] = static_cast<float>(this->OfFace(face));
+    this->FaceErrors[face] = static_cast<float>(this->OfFace(face));
     ++this->Stamps[this->Mesh.Target(h)];
   }
 }

@@ -27,7 +27,7 @@ public:
   bool MeasureAll(int threads, const Monitor& monitor);
 
   /// The sum of all faces at the edge and of its two ends, squares of the mesh's unit.
-  double Around(const EdgeNeighborhood& around) const;
+  double ErrorAround(const EdgeNeighborhood& around) const;
 
   /// Raised whenever something around either end has changed.
   std::uint32_t StampOf(HalfEdgeId edge) const
@@ -44,11 +44,11 @@ private:
   double OfVertex(VertexId vertex) const;
 
   const HalfEdgeMesh& Mesh;
-  const Samples& Fit;
-  const OriginalHints& Back;
-  ErrorPenalty Weigh;
-  std::vector<float> Faces;          // error of each, squares of the mesh's unit
-  std::vector<float> Vertices;       // the same
+  const Samples& OriginalSamples;
+  const OriginalHints& Hints;
+  ErrorPenalty Penalties;
+  std::vector<float> FaceErrors;     // error of each, squares of the mesh's unit
+  std::vector<float> VertexErrors;   // the same
   std::vector<std::uint32_t> Stamps; // of each vertex, how often something around it has changed
 };
 }

@@ -13,12 +13,12 @@ bool ShapeCollapse::Try(HalfEdgeId edge)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   if (mesh.IsConstrained(mesh.Origin(edge)) || mesh.IsConstrained(mesh.Target(edge)) ||
-    !this->MeshEditor.Gather(edge, this->Space).IsAccepted())
+    !this->MeshEditor.Gather(edge, this->Workspace).IsAccepted())
   {
     return false;
   }
-  const EdgeNeighborhood& around = this->Space.Around;
-  this->MaxOfNew = std::max(this->CosineBefore(around) - MinGainOfCosine, this->MaxCosine);
+  const EdgeNeighborhood& around = this->Workspace.Neighborhood;
+  this->MaxNewCosine = std::max(this->CosineBefore(around) - MinGainOfCosine, this->MaxCosine);
   this->Ring.Gather(mesh, around);
   this->Proposed.Edge = edge;
   this->Candidates.clear();
@@ -27,13 +27,13 @@ bool ShapeCollapse::Try(HalfEdgeId edge)
     [](const Candidate& a, const Candidate& b) { return a.Cosine < b.Cosine; });
   for (const Candidate& candidate : this->Candidates)
   {
-    if (this->MeshEditor.Try(candidate.Proposed, this->Space).IsAccepted())
+    if (this->MeshEditor.Try(candidate.Proposed, this->Workspace).IsAccepted())
     {
-      this->MeshEditor.Settle(&this->Space.Counted);
+      this->MeshEditor.Settle(&this->Workspace.Counts);
       return true;
     }
   }
-  this->MeshEditor.Settle(&this->Space.Counted);
+  this->MeshEditor.Settle(&this->Workspace.Counts);
   return false;
 }
 
@@ -43,9 +43,9 @@ double ShapeCollapse::CosineBefore(const EdgeNeighborhood& around) const
   double cosine = 0.0;
   const auto take = [&](FaceId face)
   { cosine = std::max(cosine, CosineOfFace(this->MeshEditor.Mesh(), face)); };
-  for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
+  for (Index i = 0; i < around.NumberOfRemovedFaces; ++i)
   {
-    take(around.GoneFaces[static_cast<std::size_t>(i)]);
+    take(around.RemovedFaces[static_cast<std::size_t>(i)]);
   }
   for (const Index corner : around.Corners)
   {
@@ -102,7 +102,7 @@ void ShapeCollapse::AddSearched(const Vector3& start, const Vector3& end)
     const BoundingTree& tree = this->MeshEditor.Original().BoundedTree();
     const auto onOriginal = [&tree](const Vector3& p)
     { return tree.FindNearest(p).Point.Position; };
-    const VertexId keep = this->Space.Around.Start;
+    const VertexId keep = this->Workspace.Neighborhood.Start;
     const Vector3 nearest = onOriginal(found);
     const Vector3 offset = 0.5 * (start - onOriginal(start) + end - onOriginal(end));
     this->Add(nearest + offset, keep, false);
@@ -114,8 +114,8 @@ void ShapeCollapse::AddSearched(const Vector3& start, const Vector3& end)
 //------------------------------------------------------------------------------
 void ShapeCollapse::Add(const Vector3& position, VertexId keep, bool stays)
 {
-  const double cosine = this->Ring.CosineAt(position, this->MaxOfNew);
-  if (cosine <= this->MaxOfNew)
+  const double cosine = this->Ring.CosineAt(position, this->MaxNewCosine);
+  if (cosine <= this->MaxNewCosine)
   {
     this->Proposed.Keep = keep;
     this->Proposed.Position = position;

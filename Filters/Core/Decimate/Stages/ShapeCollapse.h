@@ -21,11 +21,11 @@ namespace bonedecimate
 class ShapeCollapse
 {
 public:
-  /// @param largestCosine That of the least angle.
+  /// @param maxCosine That of the least angle.
   /// @param enough That of an angle that needs no improvement.
-  ShapeCollapse(Editor& editor, double largestCosine, double enough)
+  ShapeCollapse(Editor& editor, double maxCosine, double enough)
     : MeshEditor(editor)
-    , MaxCosine(largestCosine)
+    , MaxCosine(maxCosine)
     , Enough(enough)
   {
   }
@@ -49,10 +49,10 @@ private:
   Editor& MeshEditor;
   double MaxCosine;
   double Enough;
-  Workspace Space;
+  EditWorkspace Workspace;
   RingShape Ring;
-  Edit Proposed;         // what the candidates have in common
-  double MaxOfNew = 1.0; // candidates with a larger cosine are left out
+  Edit Proposed;             // what the candidates have in common
+  double MaxNewCosine = 1.0; // candidates with a larger cosine are left out
   std::vector<Candidate> Candidates;
 };
 }

@@ -15,20 +15,19 @@ namespace bonedecimate
 bool ShapeImprover::Mend(const Monitor& monitor)
 {
   constexpr double collapsedAt = 0.4; // of a round
-  constexpr int mostRounds = 12;
+  constexpr int maxRounds = 12;
   std::size_t before = this->FindBadFaces().size();
-  bool goesOn = true;
-  for (int round = 0; round < mostRounds && before > 0 && goesOn; ++round)
+  bool shouldContinue = true;
+  for (int round = 0; round < maxRounds && before > 0 && shouldContinue; ++round)
   {
-    const Monitor tell =
-      PartOf(monitor, static_cast<double>(round) / mostRounds, (round + 1.0) / mostRounds);
-    goesOn = this->ForEachBadFace(
-               PartOf(tell, 0.0, collapsedAt), [this](FaceId face) { this->CollapseAt(face); }) &&
+    const Monitor tell = StepOf(monitor, round, maxRounds);
+    shouldContinue = this->ForEachBadFace(PartOf(tell, 0.0, collapsedAt),
+                       [this](FaceId face) { this->CollapseAt(face); }) &&
       this->FlipAndMove(PartOf(tell, collapsedAt, 1.0));
     const std::size_t now = this->FindBadFaces().size();
     before = now < before ? now : 0;
   }
-  return goesOn && monitor(1.0);
+  return shouldContinue && monitor(1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -87,7 +86,7 @@ bool ShapeImprover::FlipAndMove(const Monitor& monitor)
       this->ForEachBadFace(
         PartOf(monitor, flippedAt, 1.0), [&mover](FaceId face) { mover.MoveAt(face); });
   };
-  return this->MeshEditor.FlipAndMove(flipAndMove, &mover.Worker());
+  return this->MeshEditor.FlipAndMove(flipAndMove, &mover.OwnWorkspace());
 }
 
 //------------------------------------------------------------------------------
@@ -119,7 +118,7 @@ bool ShapeImprover::Relax(Editor& editor, const Monitor& monitor)
       ForEachOf(static_cast<std::size_t>(mesh.NumberOfVertexSlots()),
         PartOf(monitor, flippedAt, 1.0), move);
   };
-  return editor.FlipAndMove(flipAndMove, &mover.Worker());
+  return editor.FlipAndMove(flipAndMove, &mover.OwnWorkspace());
 }
 
 //------------------------------------------------------------------------------
@@ -136,7 +135,7 @@ void ShapeImprover::CollapseAt(FaceId face)
   std::sort(edges.begin(), edges.end());
   for (const auto& edge : edges)
   {
-    if (this->Edges.Try(edge.second))
+    if (this->Collapser.Try(edge.second))
     {
       return;
     }
@@ -158,7 +157,7 @@ bool ShapeImprover::Collapse(Index faces, const Monitor& monitor)
     {
       if (IsUnchanged(mesh, edges[i]) && mesh.NumberOfFaces() > faces)
       {
-        this->Edges.Try(edges[i].Edge);
+        this->Collapser.Try(edges[i].Edge);
       }
     });
 }

@@ -27,11 +27,11 @@ namespace bonedecimate
 class ShapeImprover
 {
 public:
-  /// @param largestCosine That of the least angle.
-  ShapeImprover(Editor& editor, double largestCosine)
+  /// @param maxCosine That of the least angle.
+  ShapeImprover(Editor& editor, double maxCosine)
     : MeshEditor(editor)
-    , MaxCosine(largestCosine)
-    , Edges(editor, largestCosine, largestCosine)
+    , MaxCosine(maxCosine)
+    , Collapser(editor, maxCosine, maxCosine)
   {
   }
 
@@ -52,7 +52,7 @@ private:
 
   Editor& MeshEditor;
   double MaxCosine;
-  ShapeCollapse Edges;
+  ShapeCollapse Collapser;
 };
 }
 

@@ -44,7 +44,7 @@ bool ShapeMover::TryFlip(HalfEdgeId edge)
   const double before = std::max(CosineOfSmallestAngle(a, b, c), CosineOfSmallestAngle(b, a, d));
   const double after = std::max(CosineOfSmallestAngle(a, d, c), CosineOfSmallestAngle(b, c, d));
   return after < before - MinGainOfCosine &&
-    this->MeshEditor.Try(FlipOf(edge), this->Space).IsAccepted();
+    this->MeshEditor.Try(FlipOf(edge), this->Workspace).IsAccepted();
 }
 
 //------------------------------------------------------------------------------
@@ -85,7 +85,7 @@ void ShapeMover::Move(VertexId vertex)
          Vector3(0.5 * (there + from)), Vector3(0.5 * (found + from)) })
   {
     if (this->Ring.CosineAt(position, worst) < worst &&
-      this->MeshEditor.Try(MoveTo(vertex, position), this->Space).IsAccepted())
+      this->MeshEditor.Try(MoveTo(vertex, position), this->Workspace).IsAccepted())
     {
       return;
     }

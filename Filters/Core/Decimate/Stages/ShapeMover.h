@@ -33,14 +33,14 @@ public:
   void Move(VertexId vertex);
 
   /// For Editor::FlipAndMove.
-  Workspace& Worker() { return this->Space; }
+  EditWorkspace& OwnWorkspace() { return this->Workspace; }
 
 private:
   bool TryFlip(HalfEdgeId edge);
 
   Editor& MeshEditor;
   double Enough;
-  Workspace Space;
+  EditWorkspace Workspace;
   RingShape Ring;
 };
 }

@@ -26,29 +26,28 @@ bool EnlargeAngles(const StageInput& input, const Monitor& monitor)
   constexpr double mendedAt = 0.2;
   constexpr double sweptAt = 0.4;
   constexpr double collapsedAt = 0.8; // of a round
-  constexpr int mostRounds = 12;
+  constexpr int maxRounds = 12;
   // no further round after one that removes less than one face in this many
-  constexpr Index leastOfRound = 128;
+  constexpr Index facesPerRemoved = 128;
   const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
   ShapeImprover improver(input.MeshEditor, input.Shape.MaxCosine);
-  bool goesOn = improver.Mend(PartOf(monitor, 0.0, mendedAt));
+  bool shouldContinue = improver.Mend(PartOf(monitor, 0.0, mendedAt));
   if (!input.MeshEditor.LimitsEdits() || input.Shape.LimitsEdges())
   {
-    return goesOn;
+    return shouldContinue;
   }
-  goesOn = goesOn && CollapseOnce(input, PartOf(monitor, mendedAt, sweptAt));
+  shouldContinue = shouldContinue && CollapseOnce(input, PartOf(monitor, mendedAt, sweptAt));
   const Monitor rounds = PartOf(monitor, sweptAt, 1.0);
   bool isWorthIt = true;
-  for (int i = 0; i < mostRounds && goesOn && isWorthIt && !input.HasReachedFaces(); ++i)
+  for (int i = 0; i < maxRounds && shouldContinue && isWorthIt && !input.HasReachedFaces(); ++i)
   {
     const Index before = mesh.NumberOfFaces();
-    const Monitor round =
-      PartOf(rounds, static_cast<double>(i) / mostRounds, (i + 1.0) / mostRounds);
-    goesOn = improver.Collapse(input.Stops.Faces, PartOf(round, 0.0, collapsedAt)) &&
+    const Monitor round = StepOf(rounds, i, maxRounds);
+    shouldContinue = improver.Collapse(input.Stops.Faces, PartOf(round, 0.0, collapsedAt)) &&
       improver.Mend(PartOf(round, collapsedAt, 1.0));
-    isWorthIt = before - mesh.NumberOfFaces() >= before / leastOfRound;
+    isWorthIt = before - mesh.NumberOfFaces() >= before / facesPerRemoved;
   }
-  return goesOn && monitor(1.0);
+  return shouldContinue && monitor(1.0);
 }
 }
 

@@ -14,20 +14,20 @@ namespace
 constexpr Index VerticesOfPart = 64;
 /// Where samples are farther, in limits, moving the vertex does not help; or farther than the
 /// largest ratio of a candidate by so much.
-constexpr double Hopeless = 1.6;
-constexpr double HopelessAbove = 0.2;
+constexpr double MaxRatioOfStart = 1.6;
+constexpr double MaxExcessOfStart = 0.2;
 constexpr int MovesOfCandidate = 4;
 /// Points on the faces are looked at only where the samples are not farther than that, in the
 /// largest ratio of a candidate.
-constexpr double FarthestOfSamples = 1.02;
+constexpr double MaxRelativeRatioOfSamples = 1.02;
 }
 
 SlackCandidates::SlackCandidates(const Editor& editor, const Samples& samples,
-  const OriginalHints& hints, double farthest, int threads)
+  const OriginalHints& hints, double maxRatio, int threads)
   : MeshEditor(editor)
-  , Fit(samples)
-  , Back(hints)
-  , Farthest(farthest)
+  , OriginalSamples(samples)
+  , Hints(hints)
+  , MaxRatio(maxRatio)
   , Threads(threads)
   , Changed(static_cast<std::size_t>(editor.Mesh().NumberOfVertexSlots()), 1)
 {
@@ -51,7 +51,8 @@ bool SlackCandidates::Find(const Monitor& monitor, std::vector<SlackCandidate>& 
   const bool done = ForEachPart(found.size(), this->Threads, monitor,
     [&](std::size_t i)
     {
-      Evaluator evaluator = { SlackFit(this->MeshEditor, this->Fit, this->Back), {}, {} };
+      Evaluator evaluator = { SlackFit(this->MeshEditor, this->OriginalSamples, this->Hints), {},
+        {} };
       const Index first = static_cast<Index>(i) * VerticesOfPart;
       const Index last = std::min(count, first + VerticesOfPart);
       for (Index k = first; k < last; ++k)
@@ -78,7 +79,7 @@ void SlackCandidates::EvaluateAt(
   {
     SlackCandidate candidate;
     if ((this->Changed[mesh.Origin(edge.Edge)] || this->Changed[mesh.Target(edge.Edge)]) &&
-      this->EvaluateEdge(edge, evaluator, candidate) && candidate.Ratio <= this->Farthest)
+      this->EvaluateEdge(edge, evaluator, candidate) && candidate.Ratio <= this->MaxRatio)
     {
       found.push_back(candidate);
     }
@@ -86,59 +87,52 @@ void SlackCandidates::EvaluateAt(
 }
 
 //------------------------------------------------------------------------------
-/// False if it may not be collapsed or is hopeless.
+/// False if it may not be collapsed or is maxRatioOfStart.
 bool SlackCandidates::EvaluateEdge(
   const RatedEdge& edge, Evaluator& evaluator, SlackCandidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  if (!this->MeshEditor.Gather(edge.Edge, evaluator.Space).IsAccepted())
+  if (!this->MeshEditor.Gather(edge.Edge, evaluator.Workspace).IsAccepted())
   {
     return false;
   }
-  const EdgeNeighborhood& around = evaluator.Space.Around;
+  const EdgeNeighborhood& around = evaluator.Workspace.Neighborhood;
   SlackFit& slack = evaluator.Slack;
   Gather(mesh, around, slack);
   const Vector3& start = mesh.Position(around.Start);
   const Vector3& end = mesh.Position(around.End);
   const std::array<Vector3, 4> positions = { edge.Position, 0.5 * (start + end), start, end };
-  const double hopeless = std::max(Hopeless, this->Farthest + HopelessAbove);
-  double least = hopeless;
+  const double maxRatioOfStart = std::max(MaxRatioOfStart, this->MaxRatio + MaxExcessOfStart);
+  double least = maxRatioOfStart;
   for (const Vector3& position : positions)
   {
-    const double ratio = slack.MaxOfSamples(position, least);
+    const double ratio = slack.MaxRatioOfSamples(position, least);
     if (ratio < least)
     {
       least = ratio;
       candidate.Position = position;
     }
   }
-  if (!(least < hopeless))
+  if (!(least < maxRatioOfStart))
   {
     return false;
   }
-  const Index hint = this->Back.Of(around.Start);
-  slack.Use(SlackFit::Of::Samples);
-  const bool isNear = slack.Improve(candidate.Position, hint, MovesOfCandidate).Largest <
-    FarthestOfSamples * this->Farthest;
-  slack.Use(SlackFit::Of::Both);
+  const Index hint = this->Hints.Of(around.Start);
+  slack.SetTerms(SlackFit::ErrorTerms::Samples);
+  const bool isNear = slack.Improve(candidate.Position, hint, MovesOfCandidate).MaxRatio <
+    MaxRelativeRatioOfSamples * this->MaxRatio;
+  slack.SetTerms(SlackFit::ErrorTerms::All);
   if (!isNear)
   {
     return false;
   }
   const SlackFit::Value value = slack.Improve(candidate.Position, hint, MovesOfCandidate);
-  candidate.Ratio = value.Largest;
+  candidate.Ratio = value.MaxRatio;
   candidate.Edge = edge.Edge;
   candidate.Start = around.Start;
   candidate.End = around.End;
   candidate.Hint = value.Hint;
   return true;
-}
-
-//------------------------------------------------------------------------------
-std::size_t SlackCandidates::SlotOfGone(const EdgeNeighborhood& around, std::size_t k)
-{
-  const auto apex = std::find(around.Ring.begin(), around.Ring.end(), around.Apexes[k]);
-  return static_cast<std::size_t>(apex - around.Ring.begin()) % around.Corners.size();
 }
 
 //------------------------------------------------------------------------------
@@ -148,13 +142,12 @@ void SlackCandidates::Gather(
   slack.Clear();
   for (std::size_t i = 0; i < around.Corners.size(); ++i)
   {
-    slack.AddFace(
-      mesh.Position(around.Ring[i]), mesh.Position(around.Ring[(i + 1) % around.Ring.size()]));
+    slack.AddFace(mesh.Position(around.Ring[i]), mesh.Position(around.RingAfter(i)));
     slack.AddSamples(HalfEdgeMesh::Face(around.Corners[i]), i);
   }
   for (std::size_t k = 0; k < 2; ++k)
   {
-    slack.AddSamples(around.GoneFaces[k], SlotOfGone(around, k));
+    slack.AddSamples(around.RemovedFaces[k], around.SlotAtApex(k));
   }
 }
 }

@@ -43,9 +43,9 @@ class SlackCandidates
 {
 public:
   /// @param editor Must keep quadrics, and they must be right.
-  /// @param farthest The largest ratio of a candidate.
+  /// @param maxRatio The largest ratio of a candidate.
   SlackCandidates(const Editor& editor, const Samples& samples, const OriginalHints& hints,
-    double farthest, int threads);
+    double maxRatio, int threads);
 
   /// Edges near changes since the last call; at first all. False if the monitor requests a stop.
   bool Find(const Monitor& monitor, std::vector<SlackCandidate>& candidates);
@@ -53,8 +53,6 @@ public:
   void NoteChange(VertexId vertex) { this->Changed[vertex] = 1; }
   bool IsChanged(VertexId vertex) const { return this->Changed[vertex] != 0; }
 
-  /// The face of that fan nearest to the k-th face that the collapse removes.
-  static std::size_t SlotOfGone(const EdgeNeighborhood& around, std::size_t k);
   /// The fan that the collapse of the edge makes, with the samples of all faces that were at the
   /// edge.
   static void Gather(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, SlackFit& slack);
@@ -64,16 +62,16 @@ private:
   struct Evaluator
   {
     SlackFit Slack;
-    Workspace Space;
+    EditWorkspace Workspace;
     std::vector<RatedEdge> Edges;
   };
   void EvaluateAt(VertexId vertex, Evaluator& evaluator, std::vector<SlackCandidate>& found) const;
   bool EvaluateEdge(const RatedEdge& edge, Evaluator& evaluator, SlackCandidate& candidate) const;
 
   const Editor& MeshEditor;
-  const Samples& Fit;
-  const OriginalHints& Back;
-  double Farthest;
+  const Samples& OriginalSamples;
+  const OriginalHints& Hints;
+  double MaxRatio;
   int Threads;
   std::vector<char> Changed; // of each vertex, since its edges were evaluated
 };

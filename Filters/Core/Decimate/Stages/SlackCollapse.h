@@ -38,12 +38,12 @@ private:
   bool IsTouched(const EdgeNeighborhood& around) const;
 
   Editor& MeshEditor;
-  Samples& Fit;
-  OriginalHints& Back;
+  Samples& OriginalSamples;
+  OriginalHints& Hints;
   SlackCandidates Candidates;
   SlackFit Slack;
-  Workspace Space;
-  std::vector<char> Touched; // of each vertex, in this round
+  EditWorkspace Workspace;
+  std::vector<char> TouchedVertices; // of each vertex, in this round
 };
 }
 

@@ -42,12 +42,12 @@ double SixteenthPower(double ratio)
 
 SlackFit::SlackFit(const Editor& editor, const Samples& samples, const OriginalHints& hints)
   : MeshEditor(editor)
-  , Fit(samples)
-  , Back(hints)
+  , OriginalSamples(samples)
+  , Hints(hints)
   , Tree(editor.Original().BoundedTree())
-  , Spacing(SpacingInEdges * editor.Original().BoundedMesh().LengthAtFirst())
-  , Grid(
-      std::exp2(std::floor(std::log2(editor.Original().BoundedMesh().LengthAtFirst())) - GridBits))
+  , Spacing(SpacingInEdges * editor.Original().BoundedMesh().InitialEdgeLength())
+  , Grid(std::exp2(
+      std::floor(std::log2(editor.Original().BoundedMesh().InitialEdgeLength())) - GridBits))
 {
 }
 
@@ -55,7 +55,7 @@ SlackFit::SlackFit(const Editor& editor, const Samples& samples, const OriginalH
 void SlackFit::Clear()
 {
   this->Spokes.clear();
-  this->Gathered.clear();
+  this->SampleMembers.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -68,11 +68,12 @@ void SlackFit::AddFace(const Vector3& second, const Vector3& third)
 void SlackFit::AddSamples(FaceId face, std::size_t slot)
 {
   const TriangleFrame frame = FrameOf(this->MeshEditor.Mesh(), face);
-  for (Index s = this->Fit.First(face); s != None; s = this->Fit[s].Next)
+  for (Index s = this->OriginalSamples.First(face); s != None; s = this->OriginalSamples[s].Next)
   {
-    const double limit = this->Fit[s].Limit;
-    const double squared = frame.Nearest(this->Fit.SamplePosition(this->Fit[s])).SquaredDistance;
-    this->Gathered.push_back({ s, slot, squared <= limit * limit });
+    const double limit = this->OriginalSamples[s].Limit;
+    const double squared =
+      frame.Nearest(this->OriginalSamples.SamplePosition(this->OriginalSamples[s])).SquaredDistance;
+    this->SampleMembers.push_back({ s, slot, squared <= limit * limit });
   }
 }
 
@@ -100,8 +101,8 @@ void SlackFit::AddRow(double weight, double distance, double limit, const Vector
   if (distance > 0.0 || limit > 0.0)
   {
     const double ratio = distance / limit;
-    this->Current.Error += weight * SixteenthPower(ratio);
-    this->Current.Largest = std::max(this->Current.Largest, ratio);
+    this->CurrentValue.Error += weight * SixteenthPower(ratio);
+    this->CurrentValue.MaxRatio = std::max(this->CurrentValue.MaxRatio, ratio);
     if (limit > 0.0)
     {
       this->Rows.push_back({ weight, ratio, perDistance / limit });
@@ -112,12 +113,12 @@ void SlackFit::AddRow(double weight, double distance, double limit, const Vector
 //------------------------------------------------------------------------------
 bool SlackFit::AddSampleRows(double enough)
 {
-  for (Member& member : this->Gathered)
+  for (Member& member : this->SampleMembers)
   {
-    const Samples::Sample& sample = this->Fit[member.Sample];
-    const Vector3 p = this->Fit.SamplePosition(sample);
+    const Samples::Sample& sample = this->OriginalSamples[member.Sample];
+    const Vector3 p = this->OriginalSamples.SamplePosition(sample);
     const TriangleFrame::Point nearest = FindInWholeFan(this->Frames, p, member.Slot);
-    if (!member.Counts)
+    if (!member.IsCounted)
     {
       continue;
     }
@@ -126,9 +127,9 @@ bool SlackFit::AddSampleRows(double enough)
     const Vector3 way = p - frame.At(nearest);
     const double fraction = 1.0 - nearest.B - nearest.C;
     const Vector3 direction = distance > 0.0 ? Vector3(way / distance) : frame.UnitNormal();
-    const double limit = std::min<double>(sample.Limit, this->Fit.MaxLimit());
+    const double limit = std::min<double>(sample.Limit, this->OriginalSamples.MaxLimit());
     this->AddRow(sample.Weight, distance, limit, -fraction * direction);
-    if (!(this->Current.Error < enough))
+    if (!(this->CurrentValue.Error < enough))
     {
       return false;
     }
@@ -139,23 +140,23 @@ bool SlackFit::AddSampleRows(double enough)
 //------------------------------------------------------------------------------
 double SlackFit::LimitOver(Index triangle) const
 {
-  const Triangle c = this->Back.Original().Corners(triangle);
+  const Triangle c = this->Hints.Original().Corners(triangle);
   const ErrorBound& bound = *this->MeshEditor.Bound();
   return std::min({ bound.LimitAt(c[0]), bound.LimitAt(c[1]), bound.LimitAt(c[2]),
-    static_cast<double>(this->Fit.MaxLimit()) });
+    static_cast<double>(this->OriginalSamples.MaxLimit()) });
 }
 
 //------------------------------------------------------------------------------
 /// @param fraction The fraction of the vertex, in the point.
 PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction, double weight)
 {
-  PointOnMesh found = WalkFrom(this->Back.Original(), p, hint);
-  TriangleFrame frame = FrameOf(this->Back.Original(), found.Face);
+  PointOnMesh found = WalkFrom(this->Hints.Original(), p, hint);
+  TriangleFrame frame = FrameOf(this->Hints.Original(), found.Face);
   const double limit = this->LimitOver(found.Face);
   if (found.Point.SquaredDistance > limit * limit) // the walk may have stopped on another part
   {
     found.Face = this->Tree.FindNearest(p, found.Face).Triangle;
-    frame = FrameOf(this->Back.Original(), found.Face);
+    frame = FrameOf(this->Hints.Original(), found.Face);
     found.Point = frame.Nearest(p);
   }
   const double distance = std::sqrt(found.Point.SquaredDistance);
@@ -166,15 +167,16 @@ PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction,
 }
 
 //------------------------------------------------------------------------------
-/// Error of points on the edges of the vertex, which is where faces are farthest from the original
+/// Error of points on the edges of the vertex, which is where faces are maxRatio from the original
 /// between its vertices, and of a few inside the faces.
 /// @param firstSpoke The first face at whose edge there are points.
 bool SlackFit::AddFaceRows(const Vector3& x, double enough, std::size_t firstSpoke)
 {
   constexpr double third = 1.0 / 3.0;
   const double unit = this->MeshEditor.Mesh().Unit();
-  const Index atVertex = this->Current.Hint;
-  for (std::size_t face = 0; face < this->Spokes.size() && this->Current.Error < enough; ++face)
+  const Index atVertex = this->CurrentValue.Hint;
+  for (std::size_t face = 0; face < this->Spokes.size() && this->CurrentValue.Error < enough;
+       ++face)
   {
     const Spoke& spoke = this->Spokes[face];
     const double weight = this->Frames[face].SurfaceArea() / (unit * unit);
@@ -189,7 +191,7 @@ bool SlackFit::AddFaceRows(const Vector3& x, double enough, std::size_t firstSpo
     }
     this->AddPointRow(third * (x + spoke.Second + spoke.Third), atVertex, third, third * weight);
   }
-  return this->Current.Error < enough;
+  return this->CurrentValue.Error < enough;
 }
 
 //------------------------------------------------------------------------------
@@ -197,21 +199,21 @@ SlackFit::Value SlackFit::Evaluate(const Vector3& x, Index hint, double enough)
 {
   this->Build(x);
   this->Rows.clear();
-  this->Current = { 0.0, 0.0, hint };
+  this->CurrentValue = { 0.0, 0.0, hint };
   const Value ended{ Infinity, Infinity, hint };
   if (!this->AddSampleRows(enough))
   {
     return ended;
   }
-  if (this->Part == Of::Both)
+  if (this->Terms == ErrorTerms::All)
   {
-    this->Current.Hint = this->AddPointRow(x, hint, 1.0, VertexFraction * this->RingArea).Face;
+    this->CurrentValue.Hint = this->AddPointRow(x, hint, 1.0, VertexFraction * this->RingArea).Face;
     if (!this->AddFaceRows(x, enough, 0))
     {
       return ended;
     }
   }
-  return this->Current;
+  return this->CurrentValue;
 }
 
 //------------------------------------------------------------------------------
@@ -219,24 +221,25 @@ SlackFit::Value SlackFit::EvaluatePair(const Vector3& x, Index hint, double enou
 {
   this->Build(x);
   this->Rows.clear();
-  this->Current = { 0.0, 0.0, hint };
+  this->CurrentValue = { 0.0, 0.0, hint };
   return this->AddSampleRows(enough) && this->AddFaceRows(x, enough, 1)
-    ? this->Current
+    ? this->CurrentValue
     : Value{ Infinity, Infinity, hint };
 }
 
 //------------------------------------------------------------------------------
-double SlackFit::MaxOfSamples(const Vector3& x, double most)
+double SlackFit::MaxRatioOfSamples(const Vector3& x, double most)
 {
   this->Build(x);
   double largest = 0.0; // squared
-  for (Member& member : this->Gathered)
+  for (Member& member : this->SampleMembers)
   {
-    const Samples::Sample& sample = this->Fit[member.Sample];
+    const Samples::Sample& sample = this->OriginalSamples[member.Sample];
     const double squared =
-      FindInWholeFan(this->Frames, this->Fit.SamplePosition(sample), member.Slot).SquaredDistance;
-    const double limit = std::min<double>(sample.Limit, this->Fit.MaxLimit());
-    if (!member.Counts)
+      FindInWholeFan(this->Frames, this->OriginalSamples.SamplePosition(sample), member.Slot)
+        .SquaredDistance;
+    const double limit = std::min<double>(sample.Limit, this->OriginalSamples.MaxLimit());
+    if (!member.IsCounted)
     {
       continue;
     }
@@ -254,7 +257,7 @@ double SlackFit::MaxOfSamples(const Vector3& x, double most)
 Vector3 SlackFit::Step() const
 {
   std::vector<Row> active;
-  const double largest = this->Current.Largest;
+  const double largest = this->CurrentValue.MaxRatio;
   if (!(largest > 0.0 && largest < Infinity))
   {
     return Vector3::Zero(); // infinite where the limit is 0
@@ -336,7 +339,7 @@ SlackFit::Value SlackFit::TryStep(Vector3& x, const Value& before)
 SlackFit::Value SlackFit::Improve(Vector3& x, Index hint, int times)
 {
   Value best = this->Evaluate(x, hint);
-  for (int i = 0; i < times && best.Largest > 0.0 && best.Largest < Infinity; ++i)
+  for (int i = 0; i < times && best.MaxRatio > 0.0 && best.MaxRatio < Infinity; ++i)
   {
     const Value next = this->TryStep(x, best);
     if (!(next.Error < best.Error))

@@ -24,7 +24,6 @@
 #include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 
-#include <limits>
 #include <vector>
 
 namespace bonedecimate
@@ -36,9 +35,9 @@ public:
 
   struct Value
   {
-    double Error = std::numeric_limits<double>::infinity();   ///< Squares of the mesh's unit.
-    double Largest = std::numeric_limits<double>::infinity(); ///< The largest of all ratios.
-    Index Hint = None; ///< The original triangle near the vertex.
+    double Error = Infinity;    ///< Squares of the mesh's unit.
+    double MaxRatio = Infinity; ///< The largest of all ratios.
+    Index Hint = None;          ///< The original triangle near the vertex.
   };
 
   /// After an evaluation: for each sample, in which face of the fan it is.
@@ -46,7 +45,7 @@ public:
   {
     Index Sample;
     std::size_t Slot;
-    bool Counts;
+    bool IsCounted;
   };
 
   /// Starts an empty fan.
@@ -59,24 +58,23 @@ public:
   void AddSamples(FaceId face, std::size_t slot);
 
   /// What an evaluation reads: searches on the original are most of its time.
-  enum class Of
+  enum class ErrorTerms
   {
     Samples, ///< Only the samples of the original.
-    Both
+    All
   };
-  void Use(Of part) { this->Part = part; }
+  void SetTerms(ErrorTerms terms) { this->Terms = terms; }
   /// One sample that was a member of an evaluation.
-  void AddMember(const Member& member) { this->Gathered.push_back(member); }
+  void AddMember(const Member& member) { this->SampleMembers.push_back(member); }
   /// With the vertex at x.
   /// @param hint An original triangle near x.
   /// @param enough An error at which the evaluation ends; the value is infinite then.
-  Value Evaluate(
-    const Vector3& x, Index hint, double enough = std::numeric_limits<double>::infinity());
+  Value Evaluate(const Vector3& x, Index hint, double enough = Infinity);
   /// Error of two faces at x, which have the edge from x to the second corner of the last one in
   /// common; other edges do not count.
   Value EvaluatePair(const Vector3& x, Index hint, double enough);
   /// The largest ratio of the samples of the original alone; infinite above that ratio.
-  double MaxOfSamples(const Vector3& x, double most);
+  double MaxRatioOfSamples(const Vector3& x, double most);
 
   /// The nearest position of a fine grid. One step after the other would amplify the rounding of
   /// coordinates, which is another one at another distance from the origin.
@@ -89,7 +87,7 @@ public:
   /// Moves x as long as that lowers the error by more than a little, that often at most.
   Value Improve(Vector3& x, Index hint, int times);
 
-  const std::vector<Member>& Members() const { return this->Gathered; }
+  const std::vector<Member>& Members() const { return this->SampleMembers; }
   std::size_t NumberOfFaces() const { return this->Spokes.size(); }
 
 private:
@@ -114,19 +112,19 @@ private:
   Vector3 NewtonStep(const std::vector<Row>& rows, const Vector3& x, int exponent) const;
 
   const Editor& MeshEditor;
-  const Samples& Fit;
-  const OriginalHints& Back;
+  const Samples& OriginalSamples;
+  const OriginalHints& Hints;
   const BoundingTree& Tree; // of the original
   double Spacing;           // mm, of the points on the fan
   double Grid;              // mm
-  Of Part = Of::Both;
+  ErrorTerms Terms = ErrorTerms::All;
   double Radius = 0.0;   // mm, the longest step
   double RingArea = 0.0; // squares of the mesh's unit
   std::vector<Spoke> Spokes;
   std::vector<TriangleFrame> Frames;
-  std::vector<Member> Gathered;
+  std::vector<Member> SampleMembers;
   std::vector<Row> Rows;
-  Value Current;
+  Value CurrentValue;
 };
 }
 

@@ -4,8 +4,6 @@
 
 #include "Decimate/Edit/FlipAndMoveRules.h"
 
-#include <limits>
-
 namespace bonedecimate
 {
 namespace
@@ -23,18 +21,18 @@ bool SlackFlipper::Run(const Monitor& monitor)
   const double count = mesh.NumberOfFaceSlots();
   const auto flip = [&]
   {
-    bool goesOn = true;
-    for (FaceId face = 0; face < mesh.NumberOfFaceSlots() && goesOn; ++face)
+    bool shouldContinue = true;
+    for (FaceId face = 0; face < mesh.NumberOfFaceSlots() && shouldContinue; ++face)
     {
-      goesOn = face % FacesOfReport != 0 || monitor(face / count);
-      for (Index corner = 0; corner < 3 && goesOn && mesh.IsAlive(face); ++corner)
+      shouldContinue = face % FacesOfReport != 0 || monitor(face / count);
+      for (Index corner = 0; corner < 3 && shouldContinue && mesh.IsAlive(face); ++corner)
       {
         this->TryFlip(HalfEdgeMesh::HalfEdge(face, corner));
       }
     }
-    return goesOn;
+    return shouldContinue;
   };
-  return this->MeshEditor.FlipAndMove(flip, &this->Space) && monitor(1.0);
+  return this->MeshEditor.FlipAndMove(flip, &this->Workspace) && monitor(1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -42,10 +40,10 @@ void SlackFlipper::TryFlip(HalfEdgeId edge)
 {
   const HalfEdgeId twin = this->MeshEditor.Mesh().Twin(edge);
   if (twin != None && edge < twin && this->Improves(edge) &&
-    this->MeshEditor.Try(FlipOf(edge), this->Space).IsAccepted())
+    this->MeshEditor.Try(FlipOf(edge), this->Workspace).IsAccepted())
   {
     // As the last evaluation found the samples.
-    this->Fit.HandOver(
+    this->OriginalSamples.HandOver(
       { HalfEdgeMesh::Face(edge), HalfEdgeMesh::Face(twin) }, this->Slack.Members());
   }
 }
@@ -66,20 +64,19 @@ void SlackFlipper::Gather(const std::array<Vector3, 4>& corners, const std::arra
 //------------------------------------------------------------------------------
 bool SlackFlipper::Improves(HalfEdgeId edge)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const std::array<Index, 4> ids = CornersAround(mesh, edge);
   const auto [a, b, c, d] = PositionsOf(mesh, ids);
   const std::array<FaceId, 2> faces = { HalfEdgeMesh::Face(edge),
     HalfEdgeMesh::Face(mesh.Twin(edge)) };
   this->Gather({ a, d, b, c }, { faces[1], faces[0] });
-  const SlackFit::Value now = this->Slack.EvaluatePair(a, this->Back.Of(ids[0]), infinity);
-  if (!(now.Largest > MinRatioOfFlip && now.Largest < infinity))
+  const SlackFit::Value now = this->Slack.EvaluatePair(a, this->Hints.Of(ids[0]), Infinity);
+  if (!(now.MaxRatio > MinRatioOfFlip && now.MaxRatio < Infinity))
   {
     return false;
   }
   this->Gather({ c, a, d, b }, faces);
-  return this->Slack.EvaluatePair(c, this->Back.Of(ids[2]), FlipBelowError * now.Error).Error <
+  return this->Slack.EvaluatePair(c, this->Hints.Of(ids[2]), FlipBelowError * now.Error).Error <
     FlipBelowError * now.Error;
 }
 }

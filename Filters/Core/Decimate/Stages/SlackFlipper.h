@@ -22,8 +22,8 @@ class SlackFlipper
 public:
   SlackFlipper(Editor& editor, Samples& samples, OriginalHints& hints)
     : MeshEditor(editor)
-    , Fit(samples)
-    , Back(hints)
+    , OriginalSamples(samples)
+    , Hints(hints)
     , Slack(editor, samples, hints)
   {
   }
@@ -38,10 +38,10 @@ private:
   bool Improves(HalfEdgeId edge);
 
   Editor& MeshEditor;
-  Samples& Fit;
-  OriginalHints& Back;
+  Samples& OriginalSamples;
+  OriginalHints& Hints;
   SlackFit Slack;
-  Workspace Space;
+  EditWorkspace Workspace;
 };
 }
 

@@ -16,8 +16,8 @@ SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
 {
   const SlackFit::Value before = this->Gather(vertex);
   // a vertex whose faces use less of the bound does not limit anything
-  constexpr double leastRatio = 0.5;
-  if (!(before.Largest > leastRatio))
+  constexpr double minRatio = 0.5;
+  if (!(before.MaxRatio > minRatio))
   {
     return {};
   }
@@ -34,20 +34,20 @@ SlackMover::Proposal SlackMover::Shift(VertexId vertex, const Vector3& step)
   const SlackFit::Value before = this->Gather(vertex);
   const Vector3 position = this->Slack.OnGrid(this->MeshEditor.Mesh().Position(vertex) + step);
   const SlackFit::Value after = this->Slack.Evaluate(position, before.Hint);
-  return after.Largest <= std::max(MaxOfShift, before.Largest)
+  return after.MaxRatio <= std::max(MaxOfShift, before.MaxRatio)
     ? Proposal{ vertex, position, after.Hint, this->Ring, this->Slack.Members() }
     : Proposal();
 }
 
 //------------------------------------------------------------------------------
-bool SlackMover::Apply(const Proposal& proposal, Workspace& work) const
+bool SlackMover::Apply(const Proposal& proposal, EditWorkspace& workspace) const
 {
-  if (!this->MeshEditor.Try(MoveTo(proposal.Vertex, proposal.Position), work).IsAccepted())
+  if (!this->MeshEditor.Try(MoveTo(proposal.Vertex, proposal.Position), workspace).IsAccepted())
   {
     return false;
   }
-  this->Back.Set(proposal.Vertex, proposal.Hint);
-  this->Fit.HandOver(proposal.Ring, proposal.Samples);
+  this->Hints.Set(proposal.Vertex, proposal.Hint);
+  this->OriginalSamples.HandOver(proposal.Ring, proposal.Samples);
   return true;
 }
 
@@ -61,10 +61,9 @@ SlackFit::Value SlackMover::Gather(VertexId vertex)
   {
     const FaceId face = HalfEdgeMesh::Face(h);
     this->Slack.AddSamples(face, this->Ring.size());
-    this->Slack.AddFace(
-      mesh.Position(mesh.Target(h)), mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h))));
+    this->Slack.AddFace(mesh.Position(mesh.Target(h)), mesh.Position(mesh.Apex(h)));
     this->Ring.push_back(face);
   }
-  return this->Slack.Evaluate(mesh.Position(vertex), this->Back.Of(vertex));
+  return this->Slack.Evaluate(mesh.Position(vertex), this->Hints.Of(vertex));
 }
 }

@@ -20,8 +20,8 @@ class SlackMover
 public:
   SlackMover(Editor& editor, Samples& samples, OriginalHints& hints)
     : MeshEditor(editor)
-    , Fit(samples)
-    , Back(hints)
+    , OriginalSamples(samples)
+    , Hints(hints)
     , Slack(editor, samples, hints)
   {
   }
@@ -42,14 +42,14 @@ public:
   Proposal Shift(VertexId vertex, const Vector3& step);
 
   /// Moves the vertex if the filters accept that. From one thread.  @return Whether it moved.
-  bool Apply(const Proposal& proposal, Workspace& work) const;
+  bool Apply(const Proposal& proposal, EditWorkspace& workspace) const;
 
 private:
   SlackFit::Value Gather(VertexId vertex);
 
   Editor& MeshEditor;
-  Samples& Fit;
-  OriginalHints& Back;
+  Samples& OriginalSamples;
+  OriginalHints& Hints;
   SlackFit Slack;
   std::vector<Index> Ring; // faces
 };

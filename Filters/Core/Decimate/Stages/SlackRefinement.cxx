@@ -15,52 +15,25 @@ namespace bonedecimate
 namespace
 {
 constexpr std::size_t VerticesOfTask = 16;
-constexpr double SettledAt = 0.06; // of a sweep
-constexpr double FlippedAt = 0.2;
 }
 
 SlackRefinement::SlackRefinement(Editor& editor, int threads)
-  : MeshEditor(editor)
-  , Fit(editor.Original().BoundedMesh(), false, editor.Bound()->LimitsOfVertices())
-  , Back(editor.Original().BoundedMesh(), editor.Original().NearInitial())
-  , Threads(editor.HasHook() ? 1 : threads)
+  : SampledRefinement(editor,
+      Samples(editor.Original().BoundedMesh(), false, editor.Bound()->LimitsOfVertices()),
+      editor.Original().BoundedMesh(), threads)
 {
-}
-
-//------------------------------------------------------------------------------
-bool SlackRefinement::Begin(const Monitor& monitor)
-{
-  const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
-  this->IsSettled = this->Back.Restart(mesh, this->Threads, PartOf(monitor, 0.0, 0.1)) &&
-    this->Fit.Distribute(mesh, this->MeshEditor.Original().CurrentOfInitial(), this->Threads,
-      PartOf(monitor, 0.1, 1.0));
-  return this->IsSettled;
-}
-
-//------------------------------------------------------------------------------
-bool SlackRefinement::Settle(const Monitor& monitor)
-{
-  this->IsSettled =
-    this->IsSettled || this->Fit.Settle(this->MeshEditor.Mesh(), this->Threads, monitor);
-  return this->IsSettled && monitor(1.0);
 }
 
 //------------------------------------------------------------------------------
 bool SlackRefinement::Sweep(int times, const Monitor& monitor)
 {
-  return this->MeshEditor.FlipAndMove(
-    [&]
+  constexpr double flippedAt = 0.15;
+  return this->RepeatSweeps(times, monitor,
+    [this](const Monitor& sweep)
     {
-      bool goesOn = true;
-      for (int i = 0; i < times && goesOn; ++i)
-      {
-        const Monitor sweep = PartOf(monitor, static_cast<double>(i) / times, (i + 1.0) / times);
-        goesOn = this->Settle(PartOf(sweep, 0.0, SettledAt)) &&
-          SlackFlipper(this->MeshEditor, this->Fit, this->Back)
-            .Run(PartOf(sweep, SettledAt, FlippedAt)) &&
-          this->MoveVertices(PartOf(sweep, FlippedAt, 1.0));
-      }
-      return goesOn;
+      return SlackFlipper(this->MeshEditor, this->OriginalSamples, this->Hints)
+               .Run(PartOf(sweep, 0.0, flippedAt)) &&
+        this->MoveVertices(PartOf(sweep, flippedAt, 1.0));
     });
 }
 
@@ -69,16 +42,15 @@ bool SlackRefinement::MoveVertices(const Monitor& monitor)
 {
   this->IsSettled = false;
   const std::vector<std::vector<Index>> colors = this->ColorVertices();
-  const double count = static_cast<double>(colors.size());
   return this->MeshEditor.FlipAndMove(
     [&]
     {
-      bool goesOn = true;
-      for (std::size_t i = 0; i < colors.size() && goesOn; ++i)
+      bool shouldContinue = true;
+      for (std::size_t i = 0; i < colors.size() && shouldContinue; ++i)
       {
-        goesOn = this->MoveAll(colors[i], PartOf(monitor, i / count, (i + 1) / count));
+        shouldContinue = this->MoveAll(colors[i], StepOf(monitor, i, colors.size()));
       }
-      return goesOn;
+      return shouldContinue;
     });
 }
 
@@ -120,31 +92,31 @@ bool SlackRefinement::MoveAll(const std::vector<Index>& vertices, const Monitor&
 {
   constexpr double evaluatedAt = 0.6;
   std::vector<SlackMover::Proposal> proposals(vertices.size());
-  const bool goesOn = ForEachPart((vertices.size() + VerticesOfTask - 1) / VerticesOfTask,
+  const bool shouldContinue = ForEachPart((vertices.size() + VerticesOfTask - 1) / VerticesOfTask,
     this->Threads, PartOf(monitor, 0.0, evaluatedAt),
     [&](std::size_t part)
     {
-      SlackMover mover(this->MeshEditor, this->Fit, this->Back);
+      SlackMover mover(this->MeshEditor, this->OriginalSamples, this->Hints);
       const std::size_t end = std::min(vertices.size(), (part + 1) * VerticesOfTask);
       for (std::size_t i = part * VerticesOfTask; i < end; ++i)
       {
         proposals[i] = mover.Evaluate(vertices[i]);
       }
     });
-  if (!goesOn)
+  if (!shouldContinue)
   {
     return false;
   }
-  const SlackMover mover(this->MeshEditor, this->Fit, this->Back);
-  Workspace work;
+  const SlackMover mover(this->MeshEditor, this->OriginalSamples, this->Hints);
+  EditWorkspace workspace;
   for (const SlackMover::Proposal& proposal : proposals)
   {
     if (proposal.Vertex != None)
     {
-      mover.Apply(proposal, work);
+      mover.Apply(proposal, workspace);
     }
   }
-  this->MeshEditor.Settle(&work.Counted);
+  this->MeshEditor.Settle(&workspace.Counts);
   return monitor(1.0);
 }
 
@@ -152,8 +124,8 @@ bool SlackRefinement::MoveAll(const std::vector<Index>& vertices, const Monitor&
 bool SlackRefinement::Collapse(Index faces, const Monitor& monitor)
 {
   this->MeshEditor.PrepareCollapses(this->Threads);
-  return this->Settle(PartOf(monitor, 0.0, SettledAt)) &&
-    SlackCollapse(this->MeshEditor, this->Fit, this->Back, this->Threads)
+  return this->SettleSamples(PartOf(monitor, 0.0, SettledAt)) &&
+    SlackCollapse(this->MeshEditor, this->OriginalSamples, this->Hints, this->Threads)
       .Run(faces, PartOf(monitor, SettledAt, 1.0));
 }
 
@@ -162,22 +134,24 @@ bool SlackRefinement::Force(
   Index faces, ForcedReach reach, const Monitor& monitor, ForcedCollapseFigures& figures)
 {
   this->MeshEditor.PrepareCollapses(this->Threads);
-  if (!this->Settle(PartOf(monitor, 0.0, SettledAt)))
+  if (!this->SettleSamples(PartOf(monitor, 0.0, SettledAt)))
   {
     return false;
   }
-  ForcedCollapse collapse(this->MeshEditor, this->Fit, this->Back, reach, this->Threads);
-  const bool goesOn = collapse.Run(faces, PartOf(monitor, SettledAt, 1.0));
+  ForcedCollapse collapse(
+    this->MeshEditor, this->OriginalSamples, this->Hints, reach, this->Threads);
+  const bool shouldContinue = collapse.Run(faces, PartOf(monitor, SettledAt, 1.0));
   figures.Tried += collapse.Report().Tried;
   figures.Made += collapse.Report().Made;
-  return goesOn;
+  return shouldContinue;
 }
 
 //------------------------------------------------------------------------------
 bool SlackRefinement::RestoreVolume(const Monitor& monitor)
 {
   this->IsSettled = false; // other edits may have come since
-  return this->Settle(PartOf(monitor, 0.0, SettledAt)) &&
-    VolumeMover(this->MeshEditor, this->Fit, this->Back).Run(PartOf(monitor, SettledAt, 1.0));
+  return this->SettleSamples(PartOf(monitor, 0.0, SettledAt)) &&
+    VolumeMover(this->MeshEditor, this->OriginalSamples, this->Hints)
+      .Run(PartOf(monitor, SettledAt, 1.0));
 }
 }

@@ -22,23 +22,20 @@
 #ifndef BoneDecimate_Core_Decimate_Stages_SlackRefinement_h
 #define BoneDecimate_Core_Decimate_Stages_SlackRefinement_h
 
-#include "Decimate/Edit/Editor.h"
 #include "ForcedCollapse.h"
-#include "Proof/Reference/OriginalHints.h"
-#include "Proof/Reference/Samples.h"
+#include "SampledRefinement.h"
 
 #include <vector>
 
 namespace bonedecimate
 {
-class SlackRefinement
+class SlackRefinement : public SampledRefinement
 {
 public:
   /// @param editor Must have an error bound and keep quadrics.
   SlackRefinement(Editor& editor, int threads);
 
   /// False if the monitor requests a stop; the surface is valid then, too.
-  bool Begin(const Monitor& monitor);
   bool Sweep(int times, const Monitor& monitor);
   /// Down to that many faces at most.
   bool Collapse(Index faces, const Monitor& monitor);
@@ -51,16 +48,9 @@ public:
   bool RestoreVolume(const Monitor& monitor);
 
 private:
-  bool Settle(const Monitor& monitor);
   bool MoveVertices(const Monitor& monitor);
   bool MoveAll(const std::vector<Index>& vertices, const Monitor& monitor);
   std::vector<std::vector<Index>> ColorVertices() const;
-
-  Editor& MeshEditor;
-  Samples Fit;
-  OriginalHints Back;
-  int Threads;
-  bool IsSettled = false; // whether no vertex has moved since the samples were
 };
 }
 

@@ -29,7 +29,7 @@ StopReason RunStages(StageInput input, const Monitor& monitor)
   {
     return stop.Reason();
   }
-  input.FacesAtStart = input.MeshEditor.Mesh().NumberOfFaces();
+  input.InitialFaces = input.MeshEditor.Mesh().NumberOfFaces();
   input.InitialMesh =
     input.Mode.KeepsInitialMesh ? &input.MeshEditor.Original().InitialMesh() : nullptr;
   StopReason reason = StopReason::NotRun;

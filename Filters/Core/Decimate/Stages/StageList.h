@@ -29,7 +29,7 @@ struct StageInput
   StopTargets Stops;
   double NormalTolerance = 0.0; ///< w of Decimate/Cost/NormalFieldDeviation.h.
   int Threads = 1;              ///< 0: as many as the processor has.
-  Index FacesAtStart = 0;       ///< Before the first stage; filled by RunStages().
+  Index InitialFaces = 0;       ///< Before the first stage; filled by RunStages().
   /// Before the first edit, with ModeInfo::KeepsInitialMesh; filled by RunStages().
   const HalfEdgeMesh* InitialMesh = nullptr;
   double RefinementEffort = 1.0; ///< As in the options.

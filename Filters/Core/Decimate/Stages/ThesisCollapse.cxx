@@ -21,7 +21,7 @@ ThesisCollapse::ThesisCollapse(Editor& editor, const QueuePolicies& policies, do
 //------------------------------------------------------------------------------
 StopReason ThesisCollapse::Run(const StopTargets& stops, const Monitor& monitor)
 {
-  this->End.Set(stops);
+  this->End.Restart(stops);
   if (!this->End.IsReached())
   {
     for (VertexId v = 0; v < this->MeshEditor.Mesh().NumberOfVertexSlots(); ++v)
@@ -36,7 +36,7 @@ StopReason ThesisCollapse::Run(const StopTargets& stops, const Monitor& monitor)
       return StopReason::NothingLeft;
     }
     this->CollapseAt(this->Queue.PopLowest());
-    if (!this->End.Tell(monitor))
+    if (!this->End.Report(monitor))
     {
       return StopReason::Aborted;
     }
@@ -57,29 +57,29 @@ bool ThesisCollapse::CollapseAt(VertexId vertex)
     { return a.Cost != b.Cost ? a.Cost < b.Cost : a.Edge < b.Edge; });
   const bool isCollapsed = std::any_of(this->EdgesOfVertex.begin(), this->EdgesOfVertex.end(),
     [this](const CostedEdge& candidate) { return this->CollapseEdge(candidate.Edge); });
-  this->MeshEditor.Settle(&this->Space.Counted);
+  this->MeshEditor.Settle(&this->Workspace.Counts);
   return isCollapsed;
 }
 
 //------------------------------------------------------------------------------
 bool ThesisCollapse::CollapseEdge(HalfEdgeId edge)
 {
-  if (!this->MeshEditor.Gather(edge, this->Space).IsAccepted())
+  if (!this->MeshEditor.Gather(edge, this->Workspace).IsAccepted())
   {
     return false;
   }
-  const PositionCandidates proposals =
-    this->Policies.Placement(this->MeshEditor.Mesh(), this->MeshEditor.Areas(), this->Space.Around);
+  const PositionCandidates proposals = this->Policies.Placement(
+    this->MeshEditor.Mesh(), this->MeshEditor.Areas(), this->Workspace.Neighborhood);
   for (std::size_t i = 0; i < proposals.Count; ++i)
   {
     const Edit& edit = proposals.Edits[i];
-    const VertexId gone = this->MeshEditor.Mesh().Across(edge, edit.Keep);
-    if (this->MeshEditor.Try(edit, this->Space).IsAccepted())
+    const VertexId gone = this->MeshEditor.Mesh().OtherEnd(edge, edit.Keep);
+    if (this->MeshEditor.Try(edit, this->Workspace).IsAccepted())
     {
       this->Queue.Remove(gone);
       this->Recost(edit.Keep);
       this->MeshEditor.Mesh().VisitEdges(edit.Keep,
-        [&](HalfEdgeId h) { this->Recost(this->MeshEditor.Mesh().Across(h, edit.Keep)); });
+        [&](HalfEdgeId h) { this->Recost(this->MeshEditor.Mesh().OtherEnd(h, edit.Keep)); });
       return true;
     }
   }

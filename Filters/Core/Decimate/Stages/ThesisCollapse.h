@@ -50,7 +50,7 @@ private:
   };
 
   Editor& MeshEditor;
-  Workspace Space;
+  EditWorkspace Workspace;
   StopCriterion End;
   QueuePolicies Policies;
   std::unique_ptr<VertexCost> Costs;

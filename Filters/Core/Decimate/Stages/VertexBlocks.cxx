@@ -48,7 +48,7 @@ bool VertexBlocks::IsInside(const HalfEdgeMesh& mesh, VertexId v, const Cut& cut
   mesh.VisitEdges(v,
     [&](HalfEdgeId h)
     {
-      const VertexId other = mesh.Across(h, v);
+      const VertexId other = mesh.OtherEnd(h, v);
       inside = inside && (this->Ranks[other] == None || cut.BlockOf(this->Ranks[other]) == block);
     });
   return inside;

@@ -107,7 +107,7 @@ bool VertexBlocks::VisitBlocks(const HalfEdgeMesh& mesh, const Cut& cut, int thr
 template <typename MakeWorker>
 bool VertexBlocks::VisitRest(const Monitor& monitor, const MakeWorker& makeWorker)
 {
-  constexpr Index tellEvery = 64; // vertices
+  constexpr Index visitsPerReport = 64; // vertices
   const Index count = static_cast<Index>(this->Order.size());
   auto worker = makeWorker(this->RangeOf(0, count));
   Index visits = 0;
@@ -118,7 +118,7 @@ bool VertexBlocks::VisitRest(const Monitor& monitor, const MakeWorker& makeWorke
       continue;
     }
     worker(this->Order[i]);
-    if (++visits % tellEvery == 0 && !monitor(static_cast<double>(i) / count))
+    if (++visits % visitsPerReport == 0 && !monitor(static_cast<double>(i) / count))
     {
       return false;
     }

@@ -3,7 +3,6 @@
 #include "VertexMover.h"
 
 #include <array>
-#include <limits>
 
 namespace bonedecimate
 {
@@ -34,10 +33,10 @@ bool VertexMover::Improve(VertexId vertex)
   for (int attempt = 0; attempt < AttemptsOfMove; ++attempt, step *= 0.5)
   {
     const Vector3 position = mesh.Position(vertex) + step;
-    if (this->Lowers(vertex, position) &&
-      this->MeshEditor.Try(MoveTo(vertex, position), this->Space).IsAccepted())
+    if (this->LowersError(vertex, position) &&
+      this->MeshEditor.Try(MoveTo(vertex, position), this->Workspace).IsAccepted())
     {
-      this->Back.Set(vertex, this->Hint);
+      this->Hints.Set(vertex, this->Hint);
       return true;
     }
   }
@@ -50,7 +49,7 @@ void VertexMover::Gather(VertexId vertex)
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const Vector3& position = mesh.Position(vertex);
   const PointOnMesh found = this->FindOriginal(vertex);
-  const TriangleFrame original = FrameOf(this->Back.Original(), found.Face);
+  const TriangleFrame original = FrameOf(this->Hints.Original(), found.Face);
   this->OriginalNormal = original.UnitNormal();
   this->SquaredDistance = found.Point.SquaredDistance;
   this->Ring.clear();
@@ -62,7 +61,7 @@ void VertexMover::Gather(VertexId vertex)
     const FaceId face = HalfEdgeMesh::Face(h);
     const VertexId target = mesh.Target(h);
     const Vector3& second = mesh.Position(target);
-    const Vector3& third = mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h)));
+    const Vector3& third = mesh.Position(mesh.Apex(h));
     const TriangleFrame frame(position, second, third);
     this->Error += this->AddSamples(frame, face);
     this->Ring.push_back({ face, target, second, third, frame.UnitNormal(),
@@ -70,8 +69,8 @@ void VertexMover::Gather(VertexId vertex)
     area += frame.SurfaceArea();
   }
   this->Error += this->AddChords(position, found.Face, &this->Equations);
-  const double weight = BackWeight * CornerFraction * this->Weigh.InUnits(area);
-  const Penalty penalty = this->Weigh.FitOfVertex(weight, this->SquaredDistance);
+  const double weight = BackWeight * CornerFraction * this->Penalties.InUnits(area);
+  const Penalty penalty = this->Penalties.FitOfVertex(weight, this->SquaredDistance);
   this->Error += penalty.Value;
   this->Equations.AddVertex(position, original, found.Point, penalty.Weight);
 }
@@ -82,15 +81,15 @@ PointOnMesh VertexMover::FindOriginal(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   const Vector3& position = mesh.Position(vertex);
-  PointOnMesh found = this->Back.Find(position, vertex);
-  if (this->Weigh.OfFarVertices().IsFar(found.Point.SquaredDistance))
+  PointOnMesh found = this->Hints.Find(position, vertex);
+  if (this->Penalties.OfFarVertices().IsFar(found.Point.SquaredDistance))
   {
     this->Neighbors.clear();
     mesh.VisitEdges(
-      vertex, [&](HalfEdgeId h) { this->Neighbors.push_back(mesh.Across(h, vertex)); });
-    found = this->Back.FindBetter(
-      position, found, this->Weigh.OfFarVertices().SquaredLimit(), this->Neighbors);
-    this->Back.Set(vertex, found.Face);
+      vertex, [&](HalfEdgeId h) { this->Neighbors.push_back(mesh.OtherEnd(h, vertex)); });
+    found = this->Hints.FindBetter(
+      position, found, this->Penalties.OfFarVertices().SquaredLimit(), this->Neighbors);
+    this->Hints.Set(vertex, found.Face);
   }
   return found;
 }
@@ -100,7 +99,7 @@ PointOnMesh VertexMover::FindOriginal(VertexId vertex)
 /// @param hint The original triangle near it.
 double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equations) const
 {
-  const FarPenalty& far = this->Weigh.OfChords();
+  const FarPenalty& far = this->Penalties.OfChords();
   const std::size_t count = this->Ring.size();
   double error = 0.0;
   for (std::size_t i = 0; i < count; ++i)
@@ -116,13 +115,13 @@ double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equa
     for (const double fraction : ChordFractions)
     {
       const Vector3 p = fraction * position + (1.0 - fraction) * ring.Second;
-      const PointOnMesh near = WalkFrom(this->Back.Original(), p, hint);
-      const PointOnMesh found = this->Back.FindBetter(p, near, far.SquaredLimit(), others);
+      const PointOnMesh near = WalkFrom(this->Hints.Original(), p, hint);
+      const PointOnMesh found = this->Hints.FindBetter(p, near, far.SquaredLimit(), others);
       const Penalty penalty = far.WithWeight(found.Point.SquaredDistance);
       error += penalty.Value;
       if (equations != nullptr && penalty.Value > 0.0)
       {
-        const TriangleFrame frame = FrameOf(this->Back.Original(), found.Face);
+        const TriangleFrame frame = FrameOf(this->Hints.Original(), found.Face);
         equations->AddOnEdge(p, frame, found.Point, fraction, penalty.Weight);
       }
     }
@@ -133,14 +132,14 @@ double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equa
 //------------------------------------------------------------------------------
 double VertexMover::AddSamples(const TriangleFrame& frame, FaceId face)
 {
-  double error = this->Weigh.OfShapes().Of(frame);
-  this->Equations.AddShape(this->Weigh.OfShapes().At(frame));
-  this->Fit.VisitFace(face,
+  double error = this->Penalties.OfShapes().Of(frame);
+  this->Equations.AddShape(this->Penalties.OfShapes().At(frame));
+  this->OriginalSamples.VisitFace(face,
     [&](const Samples::Sample& sample)
     {
-      const Vector3 p = this->Fit.SamplePosition(sample);
+      const Vector3 p = this->OriginalSamples.SamplePosition(sample);
       const TriangleFrame::Point nearest = frame.Nearest(p);
-      const Penalty penalty = this->Weigh.FitOfSample(sample.Weight, nearest.SquaredDistance);
+      const Penalty penalty = this->Penalties.FitOfSample(sample.Weight, nearest.SquaredDistance);
       error += penalty.Value;
       this->Equations.AddSample(p, frame, nearest, penalty.Weight);
     });
@@ -153,14 +152,14 @@ double VertexMover::ErrorIfAllowed(const RingFace& ring, const TriangleFrame& fr
 {
   const double facing = Dot(frame.UnitNormal(), this->OriginalNormal);
   return facing < MinFacing && facing < ring.Facing
-    ? std::numeric_limits<double>::infinity()
-    : ErrorWithinLimits(this->Fit, this->Weigh, ring.Face, frame);
+    ? Infinity
+    : ErrorWithinLimits(this->OriginalSamples, this->Penalties, ring.Face, frame);
 }
 
 //------------------------------------------------------------------------------
-bool VertexMover::Lowers(VertexId vertex, const Vector3& position)
+bool VertexMover::LowersError(VertexId vertex, const Vector3& position)
 {
-  const PointOnMesh found = this->Back.Find(position, vertex);
+  const PointOnMesh found = this->Hints.Find(position, vertex);
   const double squared = found.Point.SquaredDistance;
   this->Hint = found.Face;
   double area = 0.0; // mm^2
@@ -176,7 +175,8 @@ bool VertexMover::Lowers(VertexId vertex, const Vector3& position)
       return false;
     }
   }
-  error += this->Weigh.OfVertex(BackWeight * CornerFraction * this->Weigh.InUnits(area), squared);
+  error +=
+    this->Penalties.OfVertex(BackWeight * CornerFraction * this->Penalties.InUnits(area), squared);
   return error < this->Error &&
     error + this->AddChords(position, found.Face, nullptr) < this->Error;
 }

@@ -32,12 +32,12 @@ public:
   VertexMover(
     Editor& editor, const Samples& samples, OriginalHints& hints, VertexRange range, int workers)
     : MeshEditor(editor)
-    , Fit(samples)
-    , Back(hints)
-    , Weigh(editor.Mesh().Unit(), samples.MeanValues())
+    , OriginalSamples(samples)
+    , Hints(hints)
+    , Penalties(editor.Mesh().Unit(), samples.MeanValues())
   {
-    this->Space.Change.Range = range;
-    this->Space.Change.Workers = workers;
+    this->Workspace.Change.Range = range;
+    this->Workspace.Change.Workers = workers;
   }
 
   /// True if the vertex moved.
@@ -56,14 +56,14 @@ private:
   PointOnMesh FindOriginal(VertexId vertex);
   double AddChords(const Vector3& position, Index hint, FitStep* equations) const;
   double AddSamples(const TriangleFrame& frame, FaceId face);
-  bool Lowers(VertexId vertex, const Vector3& position);
+  bool LowersError(VertexId vertex, const Vector3& position);
   double ErrorIfAllowed(const RingFace& ring, const TriangleFrame& frame) const;
 
   Editor& MeshEditor;
-  Workspace Space;
-  const Samples& Fit;
-  OriginalHints& Back;
-  ErrorPenalty Weigh;
+  EditWorkspace Workspace;
+  const Samples& OriginalSamples;
+  OriginalHints& Hints;
+  ErrorPenalty Penalties;
   std::vector<RingFace> Ring;
   std::vector<Index> Neighbors;
   FitStep Equations;

@@ -16,7 +16,7 @@ constexpr std::size_t MovesOfReport = 256;
 
 bool VolumeMover::Run(const Monitor& monitor)
 {
-  return this->MeshEditor.FlipAndMove([&] { return this->MoveAll(monitor); }, &this->Space) &&
+  return this->MeshEditor.FlipAndMove([&] { return this->MoveAll(monitor); }, &this->Workspace) &&
     monitor(1.0);
 }
 
@@ -103,10 +103,10 @@ std::vector<VolumeMover::Height> VolumeMover::SampledHeights() const
       continue;
     }
     const TriangleFrame frame = FrameOf(mesh, face);
-    this->Fit.VisitFace(face,
+    this->OriginalSamples.VisitFace(face,
       [&](const Samples::Sample& sample)
       {
-        const Vector3 p = this->Fit.SamplePosition(sample);
+        const Vector3 p = this->OriginalSamples.SamplePosition(sample);
         const double height = Dot(frame.UnitNormal(), p - frame.At(frame.Nearest(p)));
         heights[face].Sum += sample.Weight * height;
         heights[face].Weight += sample.Weight;
@@ -124,8 +124,8 @@ Vector3 VolumeMover::RingArea(VertexId vertex) const
   Vector3 area = Vector3::Zero();
   for (const HalfEdgeId h : mesh.OutgoingOf(vertex))
   {
-    area += AreaVector(mesh.Position(vertex), mesh.Position(mesh.Target(h)),
-      mesh.Position(mesh.Origin(HalfEdgeMesh::Previous(h))));
+    area +=
+      AreaVector(mesh.Position(vertex), mesh.Position(mesh.Target(h)), mesh.Position(mesh.Apex(h)));
   }
   return area;
 }
@@ -149,7 +149,7 @@ void VolumeMover::MoveAt(const Candidate& candidate)
   {
     const Vector3 before = this->MeshEditor.Mesh().Position(vertex);
     const SlackMover::Proposal proposal = this->Mover.Shift(vertex, (height / length) * area);
-    if (proposal.Vertex != None && this->Mover.Apply(proposal, this->Space))
+    if (proposal.Vertex != None && this->Mover.Apply(proposal, this->Workspace))
     {
       lost -= Dot(area, this->MeshEditor.Mesh().Position(vertex) - before) / 3.0;
       return;

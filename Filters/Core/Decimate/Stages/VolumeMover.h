@@ -30,7 +30,7 @@ public:
   /// @param samples In the faces where they belong.
   VolumeMover(Editor& editor, Samples& samples, OriginalHints& hints)
     : MeshEditor(editor)
-    , Fit(samples)
+    , OriginalSamples(samples)
     , Mover(editor, samples, hints)
   {
   }
@@ -65,9 +65,9 @@ private:
   void MoveAt(const Candidate& candidate);
 
   Editor& MeshEditor;
-  const Samples& Fit;
+  const Samples& OriginalSamples;
   SlackMover Mover;
-  Workspace Space;
+  EditWorkspace Workspace;
   std::vector<double> Lost; // mm^3, of each component
 };
 }

@@ -219,12 +219,12 @@ private:
     {
       const double width = (JoinedFrom - PreparedAt) / static_cast<double>(this->Parts.size());
       const double from = PreparedAt + width * static_cast<double>(i);
-      if (!this->Parts[i] && this->Progress.GoesOn() &&
+      if (!this->Parts[i] && this->Progress.ShouldContinue() &&
         !this->RunPart(this->Cut[i], this->Progress.Stage(from, from + width)))
       {
         return false;
       }
-      if (this->Parts[i] == nullptr && this->Progress.GoesOn())
+      if (this->Parts[i] == nullptr && this->Progress.ShouldContinue())
       {
         this->Parts[i] = std::make_shared<const RegionPart>(std::move(this->Cut[i]));
         this->Cache->Keep(this->Parts[i], this->OptionsOfPart(), this->Inputs.InputIsSingle);
@@ -247,13 +247,13 @@ private:
     inputs.Labels = this->Inputs.Labels != nullptr ? &part.Labels : nullptr;
     part.Result = this->Run(part.Surface, options, PartOf(monitor, 0.0, provedFrom), inputs);
     const Report& report = part.Result.Report;
-    if (this->Progress.GoesOn() &&
+    if (this->Progress.ShouldContinue() &&
       (report.Status != InputStatus::Good || report.Cleaning.DroppedTriangles > 0 ||
         !MatchUnchanged(part)))
     {
       return false;
     }
-    if (this->WantsProof && this->Progress.GoesOn())
+    if (this->WantsProof && this->Progress.ShouldContinue())
     {
       ProvePart(this->Effective, this->Prepared->Statistics.BoundaryEdges > 0,
         PartOf(monitor, provedFrom, 1.0), part);
@@ -265,7 +265,7 @@ private:
   {
     const WholeSurface& whole = *this->Prepared;
     const int threads = this->Effective.NumberOfThreads;
-    const bool isAborted = !this->Progress.GoesOn();
+    const bool isAborted = !this->Progress.ShouldContinue();
     const std::map<Index, ExtentChange> changes = ChangesOfComponents(whole, this->Parts);
     JoinedRegions joined = JoinRegions(this->Input, whole, this->Parts, threads);
     if (!ArePartsValid(whole, this->Parts, changes, this->WantsProof) ||

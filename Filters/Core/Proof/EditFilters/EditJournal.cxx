@@ -10,8 +10,8 @@ namespace bonedecimate
 {
 EditJournal::EditJournal(const HalfEdgeMesh& mesh)
   : InitialPositions(static_cast<std::size_t>(mesh.NumberOfVertexSlots()))
-  , HadFirstNormals(static_cast<std::size_t>(mesh.NumberOfFaceSlots()))
-  , LastEdits(HadFirstNormals.size(), None)
+  , HadInitialNormals(static_cast<std::size_t>(mesh.NumberOfFaceSlots()))
+  , LastEdits(HadInitialNormals.size(), None)
   , LastMerges(InitialPositions.size(), None)
 {
   for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
@@ -20,7 +20,7 @@ EditJournal::EditJournal(const HalfEdgeMesh& mesh)
   }
   for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {
-    this->HadFirstNormals[face] = mesh.HasFirstNormal(face);
+    this->HadInitialNormals[face] = mesh.HasInitialNormal(face);
   }
 }
 
@@ -40,11 +40,10 @@ Decision EditJournal::Check(
   JournalEntry& entry = work.Entry;
   entry = {};
   entry.Keep = collapse.Keep;
-  entry.Gone = mesh.Across(collapse.Edge, collapse.Keep);
+  entry.Gone = mesh.OtherEnd(collapse.Edge, collapse.Keep);
   entry.NewPosition = collapse.Position;
   entry.Outgoing = { mesh.Outgoing(entry.Keep), mesh.Outgoing(entry.Gone),
-    mesh.Outgoing(mesh.Origin(HalfEdgeMesh::Previous(collapse.Edge))),
-    mesh.Outgoing(mesh.Origin(HalfEdgeMesh::Previous(twin))) };
+    mesh.Outgoing(mesh.Apex(collapse.Edge)), mesh.Outgoing(mesh.Apex(twin)) };
   work.Faces.clear();
   for (const HalfEdgeId side : { collapse.Edge, twin })
   {

@@ -94,7 +94,7 @@ public:
                                        : this->Entries[entry.PreviousMerge].NewPosition;
   }
   /// Whether the mesh stored the first normal of a face before the first edit.
-  bool HadFirstNormal(FaceId face) const { return this->HadFirstNormals[face]; }
+  bool HadInitialNormal(FaceId face) const { return this->HadInitialNormals[face]; }
 
   /// The edit and all later edits that depend on it, the last first: the order in which to undo
   /// them.
@@ -113,7 +113,7 @@ private:
   Index MakerOf(Index edit, FaceId face) const;
 
   std::vector<Vector3> InitialPositions; // mm, of each vertex
-  std::vector<bool> HadFirstNormals;     // of each face
+  std::vector<bool> HadInitialNormals;   // of each face
   ChunkedArray<JournalEntry> Entries;
   ChunkedArray<FaceVersion> Versions; // all that were replaced
   std::vector<Index> LastEdits;       // of each face

@@ -13,7 +13,7 @@ void EditRecorder::Commit(const HalfEdgeMesh&, const SurfaceChange& change, Pend
   if (collapse.Kind == EditKind::Collapse)
   {
     tally.Log.push_back(
-      { collapse.Position, collapse.Edge, change.OtherGoneFace, collapse.Keep, change.Rank });
+      { collapse.Position, collapse.Edge, change.SecondRemovedFace, collapse.Keep, change.Rank });
   }
 }
 

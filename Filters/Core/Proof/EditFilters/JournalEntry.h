@@ -36,7 +36,7 @@ struct JournalEntry
   std::uint16_t NumberOfFaces = 0;
   bool IsUndone = false;
 
-  static constexpr Index NumberOfGoneFaces = 2;
+  static constexpr Index NumberOfRemovedFaces = 2;
 };
 
 /// Unsettled records of a worker. The faces of the entries follow each other.

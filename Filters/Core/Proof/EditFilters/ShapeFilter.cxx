@@ -55,13 +55,13 @@ bool ShapeFilter::KeepsAngles(const HalfEdgeMesh& mesh, const SurfaceChange& cha
 //------------------------------------------------------------------------------
 bool ShapeFilter::KeepsLengths(const HalfEdgeMesh& mesh, const SurfaceChange& change) const
 {
-  if (this->Limits.Local)
+  if (this->Limits.Sizing)
   {
-    return IsAllowed(mesh, change, ShapeLimits::Longest * ShapeLimits::Longest,
+    return IsAllowed(mesh, change, ShapeLimits::SplitRatio * ShapeLimits::SplitRatio,
       [this](const Triangle& vertices, const Corners& at)
       { return this->SquareOfLongestRatio(vertices, at); });
   }
-  const double longest = this->Limits.LongestEdge();
+  const double longest = this->Limits.SplitLength();
   return IsAllowed(mesh, change, longest * longest,
     [](const Triangle&, const Corners& at) { return SquareOfLongestSide(at[0], at[1], at[2]); });
 }
@@ -71,7 +71,7 @@ bool ShapeFilter::KeepsLengths(const HalfEdgeMesh& mesh, const SurfaceChange& ch
 /// allowed anywhere.
 double ShapeFilter::SquareOfLongestRatio(const Triangle& vertices, const Corners& at) const
 {
-  const double least = this->Limits.MinOfLongest();
+  const double least = this->Limits.MinSplitLength();
   if (SquareOfLongestSide(at[0], at[1], at[2]) <= least * least)
   {
     return 0.0;
@@ -97,9 +97,9 @@ void ShapeFilter::Commit(
 {
   for (const SurfaceChange::Face& face : change.NewFaces)
   {
-    for (std::size_t k = 0; k < 3 && this->Limits.Local; ++k)
+    for (std::size_t k = 0; k < 3 && this->Limits.Sizing; ++k)
     {
-      this->Lengths.Keep(face.Vertices[k], face.Corners[k]);
+      this->Lengths.Update(face.Vertices[k], face.Corners[k]);
     }
   }
 }

@@ -26,7 +26,7 @@ public:
   /// @param mesh Before the first edit.
   ShapeFilter(const ShapeLimits& limits, const HalfEdgeMesh& mesh, int threads)
     : Limits(limits)
-    , Lengths(limits.Local, mesh, threads)
+    , Lengths(limits.Sizing, mesh, threads)
   {
   }
 

@@ -64,9 +64,9 @@ void SurfaceChange::AddCollapse(
     this->NewFaces.push_back({ face, { edit.Keep, second, third },
       { edit.Position, mesh.Position(second), mesh.Position(third) } });
   }
-  for (Index i = 0; i < around.NumberOfGoneFaces; ++i)
+  for (Index i = 0; i < around.NumberOfRemovedFaces; ++i)
   {
-    this->AddOld(mesh, around.GoneFaces[i], around.Start, around.End);
+    this->AddOld(mesh, around.RemovedFaces[i], around.Start, around.End);
   }
   if (around.IsOpen)
   {
@@ -137,7 +137,7 @@ void SurfaceChange::FillMove(const HalfEdgeMesh& mesh)
   {
     const FaceId face = HalfEdgeMesh::Face(h);
     const VertexId second = mesh.Target(h);
-    const VertexId third = mesh.Origin(HalfEdgeMesh::Previous(h));
+    const VertexId third = mesh.Apex(h);
     this->AddOld(mesh, face, edit.Keep, edit.Keep);
     this->NewFaces.push_back({ face, { edit.Keep, second, third },
       { edit.Position, mesh.Position(second), mesh.Position(third) } });
@@ -161,8 +161,8 @@ void SurfaceChange::FillFlip(const HalfEdgeMesh& mesh)
   const HalfEdgeId twin = mesh.Twin(h);
   const VertexId a = mesh.Origin(h);
   const VertexId b = mesh.Origin(twin);
-  const VertexId c = mesh.Origin(HalfEdgeMesh::Previous(h));
-  const VertexId d = mesh.Origin(HalfEdgeMesh::Previous(twin));
+  const VertexId c = mesh.Apex(h);
+  const VertexId d = mesh.Apex(twin);
   this->Ends = { a, b };
   this->AddOld(mesh, HalfEdgeMesh::Face(h), a, b);
   this->AddOld(mesh, HalfEdgeMesh::Face(twin), a, b);

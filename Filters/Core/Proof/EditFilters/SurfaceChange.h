@@ -56,7 +56,7 @@ struct SurfaceChange
   Edit Requested;
   VertexId Vertex;           ///< A vertex of the component that changes.
   double VolumeChange = 0.0; ///< mm^3, of that component.
-  FaceId OtherGoneFace;      ///< The other face that a collapse removes; None on a boundary.
+  FaceId SecondRemovedFace;  ///< The other face that a collapse removes; None on a boundary.
 
   double Reach = 0.0; ///< mm around its faces, read by the filters.
 

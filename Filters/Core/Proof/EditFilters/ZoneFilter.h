@@ -26,7 +26,7 @@ class ZoneFilter : public EditFilter
 {
 public:
   /// @param zone Relative to the origin of the mesh. Nothing: everywhere.
-  ZoneFilter(const std::optional<Zone>& zone, Neighborhood neighbors)
+  ZoneFilter(const std::optional<Zone>& zone, NeighborSurfaces neighbors)
     : AllowedZone(zone)
     , Neighbors(std::move(neighbors))
   {
@@ -42,7 +42,7 @@ public:
 
 private:
   std::optional<Zone> AllowedZone;
-  Neighborhood Neighbors;
+  NeighborSurfaces Neighbors;
 };
 }
 

@@ -30,7 +30,7 @@ BoundaryCurves::BoundaryCurves(const HalfEdgeMesh& mesh, const CutEdges& cuts)
   {
     const VertexId at = mesh.Target(this->Edges[edge]);
     if (leaving[at] != None &&
-      (mesh.Constraint(at) == VertexConstraint::Boundary || PatchBoundaryRunsThrough(mesh, at)))
+      (mesh.Constraint(at) == VertexConstraint::Boundary || IsInsidePatchBoundary(mesh, at)))
     {
       this->Neighbors[edge][1] = leaving[at];
       this->Neighbors[leaving[at]][0] = edge;

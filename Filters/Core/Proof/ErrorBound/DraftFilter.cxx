@@ -65,7 +65,7 @@ void DraftFilter::AddVertices()
 void DraftFilter::AddEdges()
 {
   const HalfEdgeMesh& original = this->Bound.OriginalMesh;
-  const double small = LimitForEdges * original.LengthAtFirst(); // mm
+  const double small = LimitForEdges * original.InitialEdgeLength(); // mm
   for (Index i = 0; i < 3 * original.NumberOfFaceSlots(); ++i)
   {
     const HalfEdgeId h = HalfEdgeMesh::HalfEdge(i / 3, i % 3);

@@ -216,7 +216,7 @@ PointOnMesh Samples::FindFar(const HalfEdgeMesh& mesh, const CurrentVertices& cu
   else if (this->OriginalMesh.Constraint(id) != VertexConstraint::NonManifold)
   {
     this->OriginalMesh.VisitEdges(
-      id, [&](HalfEdgeId h) { tryFan(this->OriginalMesh.Across(h, id)); });
+      id, [&](HalfEdgeId h) { tryFan(this->OriginalMesh.OtherEnd(h, id)); });
   }
   return best;
 }

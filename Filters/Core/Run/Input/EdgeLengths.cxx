@@ -96,7 +96,7 @@ ShapeLimits ShapeLimitsOf(const Options& options, std::shared_ptr<const SizingFi
   constexpr double sliver = 20.0; // degrees
   ShapeLimits limits;
   limits.EdgeLength = options.EffectiveEdgeLength();
-  limits.Local = std::move(local);
+  limits.Sizing = std::move(local);
   const double requested = options.EffectiveMinimumAngle();
   const double angle = requested == 0.0 && limits.LimitsEdges() ? sliver : requested;
   limits.MaxCosine = angle > 0.0 ? CosineOfDegrees(angle + margin) : 1.0;

@@ -47,7 +47,7 @@ std::vector<Index> NearestCorners(
 }
 }
 
-Neighborhood NeighborsOf(const SurfacePart& part, const CleanSurface& clean, int threads)
+NeighborSurfaces NeighborsOf(const SurfacePart& part, const CleanSurface& clean, int threads)
 {
   if (part.Neighbors == nullptr || part.Neighbors->Triangles.empty())
   {
@@ -64,7 +64,7 @@ Neighborhood NeighborsOf(const SurfacePart& part, const CleanSurface& clean, int
 namespace
 {
 /// Marks the corners of triangles that are within the distance where edits start.
-void MarkNear(const SurfacePart& part, const CleanSurface& clean, const Neighborhood& neighbors,
+void MarkNear(const SurfacePart& part, const CleanSurface& clean, const NeighborSurfaces& neighbors,
   std::vector<char>& marks)
 {
   const auto position = [&](Index vertex) -> Vector3
@@ -90,7 +90,7 @@ void MarkNear(const SurfacePart& part, const CleanSurface& clean, const Neighbor
 
 //------------------------------------------------------------------------------
 std::vector<char> SharedVertices(
-  const SurfacePart& part, const CleanSurface& clean, const Neighborhood& neighbors)
+  const SurfacePart& part, const CleanSurface& clean, const NeighborSurfaces& neighbors)
 {
   std::vector<char> isShared;
   if (part.IsShared.empty() && !neighbors.Others)

@@ -20,12 +20,12 @@
 namespace bonedecimate
 {
 /// What other parts have near this one.
-Neighborhood NeighborsOf(const SurfacePart& part, const CleanSurface& clean, int threads);
+NeighborSurfaces NeighborsOf(const SurfacePart& part, const CleanSurface& clean, int threads);
 
 /// Whether other parts have a vertex of the mesh, too, or it is a corner of a triangle too near to
 /// them. Empty: none.
 std::vector<char> SharedVertices(
-  const SurfacePart& part, const CleanSurface& clean, const Neighborhood& neighbors);
+  const SurfacePart& part, const CleanSurface& clean, const NeighborSurfaces& neighbors);
 
 /// @param edges Pairs of points of the surface that was cleaned.
 CutEdges CutEdgesOf(const std::vector<std::array<Index, 2>>& edges, const CleanSurface& clean);

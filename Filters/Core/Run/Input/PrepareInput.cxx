@@ -91,8 +91,7 @@ std::vector<Index> WithoutCurves(
   std::vector<Index> onCurves;
   for (VertexId v = 0; v < mesh.NumberOfVertexSlots(); ++v)
   {
-    if (mesh.NextDuplicate(v) != v && mesh.OriginalVertex(v) == v &&
-      PatchBoundaryRunsThrough(mesh, v))
+    if (mesh.NextDuplicate(v) != v && mesh.OriginalVertex(v) == v && IsInsidePatchBoundary(mesh, v))
     {
       onCurves.push_back(cleaned.InputPoint[v]);
     }
@@ -115,7 +114,7 @@ HalfEdgeMesh BuildMesh(const RunTask& task, CleanSurface& cleaned, RunProgress& 
   const Monitor& monitor, Report& report)
 {
   const int threads = task.Effective.NumberOfThreads;
-  if (progress.GoesOn())
+  if (progress.ShouldContinue())
   {
     SortAlongCurve(cleaned, threads);
   }
@@ -129,7 +128,7 @@ HalfEdgeMesh BuildMesh(const RunTask& task, CleanSurface& cleaned, RunProgress& 
     edges.CutBetween(labels);
     rings = edges.FindRings();
   }
-  const bool isSplit = progress.GoesOn() && SplitIntoManifoldPatches(cleaned, edges, rings);
+  const bool isSplit = progress.ShouldContinue() && SplitIntoManifoldPatches(cleaned, edges, rings);
   if (isSplit)
   {
     SortAlongCurve(cleaned, threads);
@@ -205,7 +204,7 @@ PreparedInput PrepareInput(
     {
       prepared.VertexTolerances = TolerancesOf(prepared.Cleaned, *tolerances);
     }
-    if (progress.GoesOn())
+    if (progress.ShouldContinue())
     {
       prepared.Sizes =
         MakeSizingField(prepared.Cleaned, *prepared.Mesh, task.Inputs.EdgeLengths, task.Effective);

@@ -67,7 +67,7 @@ public:
     const int threads = this->Requested.NumberOfThreads;
     const Editor& editor = this->Run.MeshEditor;
     const SurfaceCounts counts = { NumberOfOriginalVertices(this->Run.Cleaned),
-      editor.Components().Count(), editor.Mesh().EdgesAtFirst() };
+      editor.Components().Count(), editor.Mesh().InitialEdgeCounts() };
     Report& report = this->Output.Report;
     report.Input = Describe(this->Run.Cleaned.Surface, counts, threads);
     // Without a collapse the counts of the input hold: flips and moves change none of them.
@@ -169,7 +169,7 @@ private:
     const BoundingTree tree(this->LocalReference, threads);
     this->Output.Distance =
       PointDistances(this->Run.LocalResult.Points, tree, threads, this->Progress.Stage(from, from));
-    if (this->Progress.GoesOn())
+    if (this->Progress.ShouldContinue())
     {
       this->Output.Report.OutputToInput = measure(tree);
     }
@@ -183,13 +183,13 @@ private:
       original.Points, tree, this->Requested.NumberOfThreads, this->Progress.Stage(from, pointsAt));
     this->Output.Report.InputToOutput = MeasureDistance(original, distances, tree, samples,
       this->Requested.NumberOfThreads, this->Progress.Stage(pointsAt, to));
-    this->Output.Report.DistancesMeasured = this->Progress.GoesOn();
+    this->Output.Report.DistancesMeasured = this->Progress.ShouldContinue();
   }
 
   void MeasureThickness(const BoundingTree& tree)
   {
     const int threads = this->Requested.NumberOfThreads;
-    if (this->Parts && this->Progress.GoesOn())
+    if (this->Parts && this->Progress.ShouldContinue())
     {
       this->Parts->MeasureThickness(this->Run.MeshEditor.Original().Tree(threads), tree,
         this->Run.LocalResult, threads, this->Output.Report.Parts);
@@ -257,11 +257,11 @@ void Evaluate(
   const StageClock clock;
   Evaluator evaluator(run, options, progress, output);
   evaluator.DescribeSurfaces();
-  if (progress.GoesOn() && (options.MeasureDistances || options.MeasureInputDistances))
+  if (progress.ShouldContinue() && (options.MeasureDistances || options.MeasureInputDistances))
   {
     evaluator.MeasureDistances();
   }
-  if (progress.GoesOn() && options.MeasureDistances)
+  if (progress.ShouldContinue() && options.MeasureDistances)
   {
     evaluator.MeasureFragmentGap();
   }
