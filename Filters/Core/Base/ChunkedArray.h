@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ChunkedArray.h
- * @brief A list of millions of records that grows without copies: a vector needs three times its
- * memory while it grows.
+ * @brief A list for millions of records. It grows without copying them, whereas a growing vector
+ * needs three times its memory.
  */
 #ifndef BoneDecimate_Core_Base_ChunkedArray_h
 #define BoneDecimate_Core_Base_ChunkedArray_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DisjointSets.h
- * @brief Sets of numbers that are joined step by step.
+ * @brief Disjoint sets of numbers (union-find).
  */
 #ifndef BoneDecimate_Core_Base_DisjointSets_h
 #define BoneDecimate_Core_Base_DisjointSets_h
@@ -15,8 +15,8 @@
 
 namespace bonedecimate
 {
-/// Disjoint sets of the numbers from 0 to count - 1, at first one each. The root of a set is its
-/// least member.
+/// Sets of the numbers from 0 to count - 1, at first one number each. The root of a set is its
+/// smallest number.
 template <typename Number>
 class DisjointSets
 {
@@ -50,12 +50,12 @@ public:
     }
   }
 
-  /// Returns the root of each number; the sets are empty afterwards.
+  /// The root of each number; there are no sets afterwards.
   std::vector<Number> TakeRoots()
   {
     for (Number& parent : this->Parents)
     {
-      parent = this->ParentOf(parent); // it comes before and has its root
+      parent = this->ParentOf(parent); // a smaller number, which already refers to its root
     }
     return std::move(this->Parents);
   }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LargeArray.h
- * @brief Vectors for millions of records, in large pages where the system has them, and without
+ * @brief Vectors for millions of records: in large pages where the system has them, and without
  * initialization.
  *
- * Neighbors in a mesh lie in more small pages than the translation buffer of the processor holds,
- * and the system maps and clears small pages one by one. `LargeArray<T>(n)` and `resize` leave
- * trivial records uninitialized: the caller has to write every record. Types with constructors are
- * constructed as usual.
+ * The neighbors of a vertex spread over more small pages than the translation buffer of the
+ * processor holds, and the system maps and clears small pages one by one. `LargeArray<T>(n)` and
+ * `resize` leave trivial records uninitialized, so the caller has to write every record. Types with
+ * constructors are constructed as usual.
  */
 #ifndef BoneDecimate_Core_Base_LargeArray_h
 #define BoneDecimate_Core_Base_LargeArray_h

@@ -18,14 +18,15 @@ namespace bonedecimate
  */
 using Monitor = std::function<bool(double fraction)>;
 
-/// A monitor whose progress 0 to 1 maps to from-to of another one, which must not be empty.
+/// Maps the progress 0 to 1 of the returned monitor to from-to of the given one, which must not be
+/// empty.
 inline Monitor PartOf(Monitor monitor, double from, double to)
 {
   return [monitor = std::move(monitor), from, to](double done)
   { return monitor(from + done * (to - from)); };
 }
 
-/// The part of one of several equal steps.
+/// PartOf() for one of `count` equal steps.
 template <typename Number, typename Count>
 Monitor StepOf(Monitor monitor, Number step, Count count)
 {

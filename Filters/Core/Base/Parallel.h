@@ -26,8 +26,7 @@ constexpr bool HasThreads = false;
 constexpr bool HasThreads = true;
 #endif
 
-/// @param requested 0: one per processor. Where the platform has no threads, 1 whatever is
-///   requested.
+/// @param requested 0: one thread per processor. 1 is returned where the platform has no threads.
 inline unsigned int ThreadsToUse(int requested)
 {
   if constexpr (!HasThreads)
@@ -39,9 +38,9 @@ inline unsigned int ThreadsToUse(int requested)
 }
 
 /**
- * Starts threads that call run(i), at most count of them. With too few threads or too little memory
- * in the system there are fewer, perhaps none: the others do the work.
- * @returns Whether there are count threads.
+ * Starts up to `count` threads that call run(i). If the system lacks threads or memory, fewer
+ * start, perhaps none, and the caller has to do their work.
+ * @returns Whether all of them were started.
  */
 template <typename Run>
 bool StartThreads(std::vector<std::thread>& threads, std::size_t count, const Run& run)
@@ -77,9 +76,10 @@ inline std::size_t NumberOfChunks(std::size_t count)
 }
 
 /**
- * Calls work(part) once for every part of [0, parts), unless the monitor aborts or a part throws
- * (the first exception to arrive is rethrown here). The calling thread also works, and only it
- * calls the monitor. Returns false after an abort.
+ * Calls work(part) once for every part of [0, parts), unless the monitor aborts or a part throws;
+ * one of the exceptions is rethrown here. The calling thread also works, and only it calls the
+ * monitor.
+ * @returns False after an abort.
  */
 template <typename Work>
 bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const Work& work)
@@ -129,7 +129,7 @@ bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const W
       std::rethrow_exception(failure);
     }
   }
-  const bool isUnreported = parts > 0 && reported < 1.0; // the last part was a helper's
+  const bool isUnreported = parts > 0 && reported < 1.0; // another thread did the last part
   return !stopped && !(isUnreported && monitor && !monitor(1.0));
 }
 
@@ -142,7 +142,7 @@ bool ForEachChunk(std::size_t count, int threads, const Monitor& monitor, const 
     [&](std::size_t chunk) { work(chunk, chunk * size, std::min(count, (chunk + 1) * size)); });
 }
 
-/// Block size for short uniform work: enough to be worth a thread.
+/// Number of items in a block: enough short, uniform work to be worth a thread.
 constexpr std::size_t BlockSize = 8192;
 
 inline std::size_t NumberOfBlocks(std::size_t count)
@@ -159,7 +159,7 @@ void ForEachBlock(std::size_t count, int threads, const Work& work)
     { work(block, block * BlockSize, std::min(count, (block + 1) * BlockSize)); });
 }
 
-/// The sum of part(first, last) over the blocks of [0, count), added in their order.
+/// The sum of part(first, last) over the blocks of [0, count), added in the order of the blocks.
 template <typename Part>
 auto SumOverBlocks(std::size_t count, int threads, const Part& part)
 {
@@ -175,7 +175,7 @@ auto SumOverBlocks(std::size_t count, int threads, const Part& part)
   return sum;
 }
 
-/// Calls work(id) for every id of [0, count) in such blocks.
+/// Calls work(id) for every id of [0, count), in blocks.
 template <typename Work>
 void ForEachId(std::size_t count, int threads, const Work& work)
 {
@@ -189,8 +189,8 @@ void ForEachId(std::size_t count, int threads, const Work& work)
     });
 }
 
-/// For each block, the number of selected ids before it, and finally the number of all: offsets in
-/// the list of selected ids.
+/// For each block, the number of selected ids before it; finally, the number of all. These are the
+/// offsets of the blocks in the list of selected ids.
 template <typename IsChosen>
 std::vector<std::size_t> StartsOfBlocks(std::size_t count, int threads, const IsChosen& isChosen)
 {

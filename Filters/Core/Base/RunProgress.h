@@ -34,7 +34,7 @@ public:
   bool ShouldContinue() const { return this->IsRunning; }
 
 private:
-  /// Calls the outer monitor for every hundredth even if a stage reports a larger step.
+  /// Calls the outer monitor at every hundredth, even if a stage reports a larger step.
   void Report(double fraction)
   {
     constexpr double hundredth = 0.01;

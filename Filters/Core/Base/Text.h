@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Text.h
- * @brief Text as options and files hold it: case, lists, XML, numbers. The same in every locale.
+ * @brief Text in options and files: case, lists, XML, numbers. The same in every locale.
  */
 #ifndef BoneDecimate_Core_Base_Text_h
 #define BoneDecimate_Core_Base_Text_h
@@ -19,7 +19,7 @@
 
 namespace bonedecimate
 {
-/// A to Z as a to z; letters beyond ASCII stay as they are.
+/// Replaces A to Z; letters beyond ASCII stay as they are.
 inline std::string LowerCase(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -27,7 +27,7 @@ inline std::string LowerCase(std::string text)
   return text;
 }
 
-/// The parts between the separators, empty ones too; of an empty text one empty part.
+/// The parts between the separators, including empty ones. An empty text has one empty part.
 inline std::vector<std::string> SplitAt(const std::string& text, char separator)
 {
   std::vector<std::string> parts(1);
@@ -45,7 +45,7 @@ inline std::vector<std::string> SplitAt(const std::string& text, char separator)
   return parts;
 }
 
-/// "1, 2, 3, 4, 5 and 17 more"
+/// Text such as "1, 2, 3, 4, 5 and 17 more".
 template <typename Number>
 std::string ListText(const std::vector<Number>& numbers)
 {
@@ -59,7 +59,7 @@ std::string ListText(const std::vector<Number>& numbers)
                                : text;
 }
 
-/// The text, escaped as text or attribute value of XML, HTML or SVG.
+/// Escapes text or an attribute value for XML, HTML or SVG.
 inline std::string EscapedXml(const std::string& text)
 {
   std::string escaped;
@@ -96,7 +96,7 @@ std::from_chars_result ReadNumber(const char* first, const char* last, Number& v
   return std::from_chars(first, last, value);
 }
 #else
-/// Replaces from_chars of standard libraries that reads only whole numbers.
+/// Replaces from_chars of standard libraries that read only whole numbers.
 template <typename Number>
 std::from_chars_result ReadNumber(const char* first, const char* last, Number& value)
 {
@@ -119,10 +119,10 @@ std::from_chars_result ReadNumber(const char* first, const char* last, Number& v
 #endif
 
 /**
- * A decimal number that is the whole text: no blanks, no unit, no hexadecimal digits, no comma; a
- * plus sign is allowed. A double is rounded to the nearest; beyond the largest it is infinite. The
- * words nan, inf and infinity are numbers.
- * @returns Nothing if the text is anything else, or beyond the range of a whole number.
+ * Reads a text that is a decimal number as a whole: no blanks, unit, hexadecimal digits or comma; a
+ * plus sign is allowed. Doubles are rounded to the nearest; those beyond the largest are infinite.
+ * The words nan, inf and infinity are numbers.
+ * @returns Nothing for any other text, and for a whole number out of range.
  */
 template <typename Number>
 std::optional<Number> ParseNumber(std::string_view text)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WorkerTeam.h
- * @brief Threads that wait between short tasks. ForEachPart of Parallel.h starts its threads anew
- * each time.
+ * @brief Threads that wait between short tasks, whereas ForEachPart of Parallel.h starts new
+ * threads for each task.
  */
 #ifndef BoneDecimate_Core_Base_WorkerTeam_h
 #define BoneDecimate_Core_Base_WorkerTeam_h
@@ -21,7 +21,7 @@ class WorkerTeam
 public:
   using Work = std::function<void(std::size_t part)>;
 
-  /// @param threads As requested of ThreadsToUse; the calling thread is one of them.
+  /// @param threads As for ThreadsToUse(); the calling thread is one of them.
   explicit WorkerTeam(int threads)
     : Failures(ThreadsToUse(threads))
   {

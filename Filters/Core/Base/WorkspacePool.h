@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WorkspacePool.h
- * @brief Lends workspaces to workers. A workspace that was returned is lent again, because its
- * memory is in proportion to the mesh.
+ * @brief Lends workspaces to workers. Returned workspaces are lent again, because each takes memory
+ * in proportion to the mesh.
  */
 #ifndef BoneDecimate_Core_Base_WorkspacePool_h
 #define BoneDecimate_Core_Base_WorkspacePool_h
@@ -19,9 +19,9 @@ template <typename Workspace>
 class WorkspacePool
 {
 public:
-  /// Lends a workspace to one worker. It returns to the pool when it is released, which must be
-  /// before the pool is destroyed.
-  /// @param make Returns a std::unique_ptr to a new workspace.  Any thread may call this.
+  /// Lends a workspace to one worker; any thread may call this. The workspace returns to the pool
+  /// when it is released, which must be before the pool is destroyed.
+  /// @param make Returns a std::unique_ptr to a new workspace.
   template <typename Make>
   std::shared_ptr<Workspace> Borrow(const Make& make)
   {
@@ -34,7 +34,7 @@ public:
       workspace.release(), [this](Workspace* returned) { this->Return(returned); });
   }
 
-  /// Frees those that have been returned.
+  /// Frees the workspaces that have been returned.
   void Clear()
   {
     const std::lock_guard<std::mutex> lock(this->Lending);

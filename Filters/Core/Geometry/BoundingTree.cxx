@@ -35,7 +35,7 @@ struct Middle
   Index Id;
 };
 
-/// The two halves of the range; the range and an empty one if it fits into one node.
+/// The two halves of the range, or the range and an empty one if it fits into one node.
 std::array<Range, 2> Halve(Middle* middles, const Range& range)
 {
   if (range.Count() <= Width)
@@ -235,7 +235,7 @@ private:
     return halves;
   }
 
-  /// nth_element leaves the order within its halves to the standard library.
+  /// Sorts, because nth_element leaves the order within its halves to the standard library.
   void SortLeaves(const std::vector<Range>& ranges)
   {
     ForEachId(ranges.size(), this->Threads,

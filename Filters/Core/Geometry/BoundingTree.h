@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BoundingTree.h
- * @brief Exact nearest-point queries on a set of triangles by a tree of axis-aligned boxes.
+ * @brief Exact nearest-point queries on a set of triangles, by a tree of axis-aligned boxes.
  *
- * The result is the least distance and, among equals, the least triangle id. A hint changes the
- * time, never the result.
+ * A query finds the smallest distance and, among equal ones, the smallest triangle id. A hint
+ * changes the time but never the result.
  *
- *     build:  level by level, each range of triangles is halved twice at the median of the
- *             centroids, along the longer side; halves are multiples of four, so that nearly every
- *             leaf holds four triangles
- *             nodes of needles side by side get a box along them, too, because boxes of needles
- *             that meet in one point overlap
- *     query:  nearest box first; boxes are stored in single precision, slightly enlarged, four to a
- *             node; distances to triangles are computed in double precision
+ *     build:  level by level, halve each range of triangles twice, at the median of the centroids
+ *             along the longer side; halves are multiples of four, so that nearly every leaf
+ *             holds four triangles
+ *             give nodes of parallel needles an oriented box, too: the axis-aligned boxes of
+ *             needles that meet in one point overlap
+ *     query:  nearest box first; four boxes per node, in single precision and slightly enlarged;
+ *             distances to triangles in double precision
  *
  * I. Wald, C. Benthin, S. Boulos, Getting rid of packets: efficient SIMD single-ray traversal using
- * multi-branching BVHs, 2008: four boxes to a node.
+ * multi-branching BVHs, 2008: four boxes per node.
  */
 #ifndef BoneDecimate_Core_Geometry_BoundingTree_h
 #define BoneDecimate_Core_Geometry_BoundingTree_h
@@ -46,10 +46,10 @@ public:
     PointOnTriangle Point;
   };
 
-  /// The nearest point on any triangle; Triangle is None only if there are no triangles.
+  /// The nearest point on any triangle. Triangle is None only if there are no triangles.
   Nearest FindNearest(const Vector3& p, Index hintTriangle = None) const;
 
-  /// The same; Triangle is None if none is nearer than that.
+  /// The same within a distance; Triangle is None if no triangle is that near.
   Nearest FindNearestWithin(const Vector3& p, double squaredDistance) const;
 
   /// The nearest corner of any triangle, as a point id; None only if there are no triangles.
@@ -67,13 +67,13 @@ public:
     const std::function<void(Index)>& visit) const;
 
 private:
-  /// Four children with their boxes, in the unit of the tree (see ToUnit) and slightly enlarged.
+  /// Four children with their boxes, in the unit of the tree (ToUnit) and slightly enlarged.
   struct Node
   {
     std::array<std::array<float, 4>, 3> Low, High; // by axis and child; Low > High: no child
-    std::array<Index, 4> Children;                 // a node, or ~slot of a triangle
-    Index Box = None;                              // the node's own, among Boxes
-    unsigned HasBox = 0;                           // bit i: child i is a node with a box
+    std::array<Index, 4> Children;                 // a node, or the complement of a slot
+    Index Box = None;                              // its oriented box, in Boxes
+    unsigned HasBox = 0;                           // bit i: child i has an oriented box
   };
   struct Slot
   {
@@ -86,17 +86,17 @@ private:
   float ToUnit(double coordinate, Eigen::Index axis, double side) const;
   void Bound(Node& node) const;
 
-  /// Visits the slots whose boxes are not farther than `farthest()`, nearer boxes first.
-  /// @param distancesTo Four distances to the children of a node, each at most too large by Slack.
-  /// @param distanceTo That to an oriented box, likewise.
+  /// Visits the slots whose boxes are within `farthest()`, nearer boxes first.
+  /// @param distancesTo The distances to the four children of a node, each too large by Slack at
+  /// most.
+  /// @param distanceTo The distance to an oriented box, likewise.
   template <typename Distances, typename Farthest, typename ToBox, typename Visit>
   void Descend(Distances distancesTo, Farthest farthest, ToBox distanceTo, Visit visit) const;
 
   void Improve(const Vector3& p, Nearest& best) const;
   void Improve(const Vector3& p, const Slot& slot, Nearest& best) const;
 
-  /// Visits the slots whose boxes are not farther than `limit()` (squared, mm^2), nearer boxes
-  /// first.
+  /// Visits the slots whose boxes are within `limit()` (squared, mm^2), nearer boxes first.
   template <typename Limit, typename Visit>
   void Walk(const Vector3& p, Limit limit, Visit visit) const;
 
@@ -104,7 +104,7 @@ private:
   std::vector<Node> Nodes;     // level after level, the root first
   std::vector<Slot> Slots;
   std::vector<Index> SlotOfTriangle;
-  std::vector<OrientedBox> Boxes; // of nodes of needles
+  std::vector<OrientedBox> Boxes; // oriented boxes of nodes
   Vector3 Low = Vector3::Zero();  // mm
   double Scale = 1.0;             // 1/mm; scales the longest side of the whole to 1
 };

@@ -24,7 +24,7 @@ struct QueryPoint
 };
 
 /// Squared distances to four boxes. Uses x + |x|, twice the maximum of x and 0, because gcc 12 does
-/// not vectorize maxima; at most one of the distances below and above a box is positive.
+/// not vectorize maxima. At most one of the distances below and above a box is positive.
 template <typename Boxes>
 std::array<float, 4> SquaredDistances(const QueryPoint& query, const Boxes& boxes)
 {
@@ -49,7 +49,7 @@ std::array<float, 4> SquaredDistances(const QueryPoint& query, const Boxes& boxe
 /// A ray in the unit of the tree.
 struct Ray
 {
-  std::array<double, 3> From, Inverse; // one by its direction; large instead of infinite
+  std::array<double, 3> From, Inverse; // Inverse: 1 / direction, or large
 
   Ray(const Vector3& from, const Vector3& direction)
   {
@@ -63,7 +63,7 @@ struct Ray
   }
 };
 
-/// Where the ray enters four boxes; infinite where it misses one.
+/// The length at which the ray enters each of four boxes; infinite if it misses the box.
 template <typename Boxes>
 std::array<float, 4> EntriesOf(const Ray& ray, const Boxes& boxes)
 {

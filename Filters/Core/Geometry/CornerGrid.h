@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CornerGrid.h
- * @brief The corners of a large polygon in a grid, for questions about those in a box.
+ * @brief The corners of a large polygon in a grid, to find those in a box.
  */
 #ifndef BoneDecimate_Core_Geometry_CornerGrid_h
 #define BoneDecimate_Core_Geometry_CornerGrid_h
@@ -17,7 +17,7 @@
 
 namespace bonedecimate
 {
-/// Corners of a polygon in cells of about equal numbers along two axes.
+/// A grid whose cells hold about the same number of corners along each of two axes.
 class CornerGrid
 {
 public:
@@ -42,7 +42,8 @@ public:
     }
   }
 
-  /// A corner of the box for which the predicate holds; None if there is none.
+  /// Index of a corner in the box for which the predicate holds; None if there is none. The
+  /// predicate is also called for corners near the box.
   template <typename Predicate>
   Index Find(const Position& low, const Position& high, const Predicate& isFound) const
   {
@@ -64,7 +65,7 @@ public:
   }
 
 private:
-  /// The greatest coordinate of each cell but the last.
+  /// The largest coordinate of each cell except the last.
   static std::vector<double> QuantilesOf(
     const std::vector<Position>& positions, std::size_t axis, std::size_t cells)
   {

@@ -8,7 +8,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Shewchuk's (3 + 16 u) u, a little larger.
+/// Shewchuk's (3 + 16 u) u, enlarged a little.
 constexpr double PlaneFilterBound = 3.4e-16;
 
 using ExactVector = std::array<ExactPair, 3>;
@@ -23,7 +23,7 @@ bool IsRounded(const ExactVector& v)
   return v[0].Tail != 0.0 || v[1].Tail != 0.0 || v[2].Tail != 0.0;
 }
 
-/// Computes u x v; false if u, v or any step is rounded. Succeeds for points on a lattice or in
+/// Computes u x v. False if u, v or any step is rounded. Succeeds for points on a lattice or in
 /// single precision.
 bool FindExactCross(const ExactVector& u, const ExactVector& v, Vector3& cross)
 {

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ExactPredicates.h
- * @brief Exact signs of orientation determinants for the points as they are stored.
+ * @brief Exact signs of orientation determinants for points as they are stored.
  *
  *     filter:  the determinant in double precision, if it exceeds the bound of its rounding error
- *     exact:   otherwise the sum of all products as an expansion, a sum of
- *              nonoverlapping doubles (Expansion.h)
+ *     exact:   otherwise, the sum of all products as an expansion (Expansion.h)
  *
- * Requires rounding to nearest in double precision without contraction. The signs are exact for
- * coordinates that are 0 or between 1e-70 and 1e90 in magnitude: products neither overflow nor
- * underflow.
+ * Requires double precision, rounding to nearest, and no contraction. The signs are exact for
+ * coordinates that are 0 or between 1e-70 and 1e90 in magnitude: their products neither overflow
+ * nor underflow.
  *
  * J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
  * predicates, 1997: expansions, and the bounds of the filters.
@@ -61,7 +60,7 @@ private:
 
   Vector3 A = Vector3::Zero(), B = Vector3::Zero(), C = Vector3::Zero(); // mm
   Vector3 Normal = Vector3::Zero();                                      // mm^2, rounded
-  Vector3 Magnitude = Vector3::Zero(); // mm^2, rounding error for each mm along an axis
+  Vector3 Magnitude = Vector3::Zero(); // mm^2, rounding error per mm along an axis
 };
 
 /// The sign of (b - a) x (c - a) . (d - a).
@@ -70,7 +69,7 @@ inline int Orientation(const Vector3& a, const Vector3& b, const Vector3& c, con
   return OrientedPlane(a, b, c).SideOf(d);
 }
 
-/// The sign of the area of the triangle a b c projected along an axis: the sign of that
+/// The sign of the area of the triangle a b c after projection along an axis: the sign of that
 /// coordinate of (b - a) x (c - a).
 /// @param axis 0, 1 or 2.
 int ProjectedOrientation(const Vector3& a, const Vector3& b, const Vector3& c, Eigen::Index axis);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Expansion.h
- * @brief A real number as a sum of nonoverlapping nonzero doubles, smallest first, so that sums are
+ * @brief A real number as a sum of nonoverlapping nonzero doubles, smallest first. Additions are
  * exact.
  *
- *     a + b = sum + tail     both doubles, exact (Knuth)
- *     a * b = product + tail the same, by halves of 26 digits (Dekker, Veltkamp)
+ *     a + b = head + tail     two doubles, exact (Knuth)
+ *     a * b = head + tail     the same, by halves of 26 bits (Dekker, Veltkamp)
  *
  * The sign of the number is the sign of its largest part.
  */
@@ -54,7 +54,7 @@ inline ExactPair ExactProduct(double a, double b)
   return { product, x.Tail * y.Tail - missing };
 }
 
-/// @tparam Capacity Largest number of terms.
+/// @tparam Capacity Maximum number of parts.
 template <std::size_t Capacity>
 class Expansion
 {

@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Pieces of a triangle below this fraction of the distance are not cut.
+/// Pieces smaller than this fraction of the distance are not cut.
 constexpr double MinRadius = 0.25;
 /// Rounding in the search.
 constexpr double SlackOfReach = 1.0 + 1e-9;

@@ -19,11 +19,11 @@ namespace bonedecimate
 struct OrientedBox
 {
   Vector3 Center = Vector3::Zero(); // mm
-  std::array<Vector3, 3> Axes;      // of length 1; the first one is along the box
+  std::array<Vector3, 3> Axes;      // unit vectors, the first one along the box
   std::array<double, 3> Half = {};  // mm, slightly enlarged
 
-  /// The box of what visitPoints(add) adds, along a direction that is not 0; the second axis is
-  /// perpendicular to the normal, too.
+  /// The box of the points that visitPoints(add) passes to add.
+  /// @param along The first axis; not 0.  @param normal The second axis is perpendicular to it.
   template <typename VisitPoints>
   OrientedBox(const Vector3& along, const Vector3& normal, const VisitPoints& visitPoints)
   {
@@ -32,7 +32,7 @@ struct OrientedBox
     this->Axes[1] =
       across.squaredNorm() > 0.0 ? across.normalized() : this->Axes[0].unitOrthogonal();
     this->Axes[2] = this->Axes[0].cross(this->Axes[1]);
-    visitPoints([this](const Vector3& p) { this->Center = p; }); // any of them
+    visitPoints([this](const Vector3& p) { this->Center = p; }); // any point serves as origin
     Vector3 low = Vector3::Zero();
     Vector3 high = Vector3::Zero();
     visitPoints(
@@ -52,7 +52,7 @@ struct OrientedBox
     }
   }
 
-  /// Whether it is so thin that it says more than a box along the axes.
+  /// Whether the box is thin enough to be tighter than an axis-aligned one.
   bool IsThin() const { return 4.0 * std::max(this->Half[1], this->Half[2]) < this->Half[0]; }
 
   Vector3 Coordinates(const Vector3& p) const
@@ -67,7 +67,7 @@ struct OrientedBox
     return (this->Coordinates(p).cwiseAbs() - half).cwiseMax(0.0).squaredNorm();
   }
 
-  /// mm, from which length on the ray is in the box; infinite if it misses it.
+  /// mm, the length at which the ray enters the box; infinite if it misses the box.
   double EntryOf(const Vector3& from, const Vector3& direction) const
   {
     constexpr double least = 1e-30;

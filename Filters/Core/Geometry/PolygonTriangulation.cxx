@@ -61,7 +61,7 @@ public:
   }
 
 private:
-  /// A corner with the measure of its triangle when it was queued.
+  /// A corner and the measure of its triangle when it was queued.
   struct Candidate
   {
     std::size_t Round;
@@ -77,16 +77,16 @@ private:
   };
   using Queue = std::priority_queue<Candidate>;
 
-  /// A corner that is not clipped yet.
+  /// A corner that has not been clipped.
   struct Corner
   {
     std::size_t Previous = 0;
     std::size_t Next = 0;
-    std::size_t Version = 0; // of its triangle
+    std::size_t Version = 0; // changes with its triangle
     std::size_t Round = 0;   // later than that of all clipped neighbors
     bool IsClipped = false;
     bool IsConvex = false;
-    // corners that are no ears because this one is in their triangle
+    // corners that are no ears because their triangle contains this one
     std::vector<std::size_t> Waiting = {};
   };
 
@@ -197,7 +197,7 @@ private:
     }
   }
 
-  /// Queues a corner whose triangle is new.
+  /// Queues a corner whose triangle has changed.
   void Measure(std::size_t i)
   {
     Corner& corner = this->Ring[i];
@@ -222,7 +222,7 @@ private:
     corner.IsConvex = isConvex;
   }
 
-  /// The corner is in no triangle's way any more.
+  /// Queues the corners whose triangles contained this one.
   void Release(Corner& corner)
   {
     for (const std::size_t waiting : std::exchange(corner.Waiting, {}))
@@ -235,7 +235,7 @@ private:
     }
   }
 
-  /// An ear, or what is most like one.
+  /// The next ear; without any, the most similar corner.
   std::size_t NextEar()
   {
     while (const std::optional<std::size_t> corner = this->Take(this->Ears))
@@ -250,7 +250,7 @@ private:
     return *this->Take(this->All);
   }
 
-  /// The top of a queue whose triangle is still the same.
+  /// The top of a queue among corners whose triangle is still the same.
   std::optional<std::size_t> Take(Queue& queue) const
   {
     while (!queue.empty())
@@ -266,7 +266,7 @@ private:
     return {};
   }
 
-  /// A reflex corner in the triangle of a convex one; None if there is none.
+  /// A reflex corner in the triangle of a convex corner; None if there is none.
   Index ObstacleOf(std::size_t ear) const
   {
     const std::size_t previous = this->Ring[ear].Previous;

@@ -26,7 +26,7 @@ inline std::array<double, 3> SortedSquares(const Vector3& a, const Vector3& b, c
     std::max(upper, sides[2]) };
 }
 
-/// The smallest angle lies opposite to the shortest side: the law of cosines.
+/// By the law of cosines: the smallest angle lies opposite the shortest side.
 inline double CosineOfSmallestAngle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const auto [shortest, middle, longest] = SortedSquares(a, b, c);

@@ -21,17 +21,16 @@ namespace bonedecimate
 /// A position or a direction; positions are in millimeters.
 using Vector3 = Eigen::Vector3d;
 
-/// The dot product. The order of additions is that of Eigen 3; Eigen 5 has another one, which would
+/// The dot product, with the order of additions of Eigen 3. Eigen 5 uses another order, which would
 /// change results.
 inline double Dot(const Vector3& a, const Vector3& b)
 {
   return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]);
 }
 
-/// Beyond every distance.
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// mm, along each axis; with larger coordinates products of areas overflow.
+/// mm, along each axis. Beyond it, products of areas would overflow.
 constexpr double MaxCoordinate = 1e30;
 
 /// Whether all coordinates are finite and not beyond MaxCoordinate.

@@ -4,9 +4,9 @@
  * @file TriangleFrame.h
  * @brief A triangle prepared for many nearest-point queries.
  *
- * For a projection outside of the triangle the nearest point lies on an edge opposite a negative
- * barycentric coordinate, so only these edges are evaluated. NearestOnTriangle computes the same,
- * more slowly, and more accurately for needles.
+ * If a point projects outside of the triangle, its nearest point lies on an edge opposite a
+ * negative barycentric coordinate, so only these edges are evaluated. NearestOnTriangle() computes
+ * the same more slowly, and more accurately for needles.
  */
 #ifndef BoneDecimate_Core_Geometry_TriangleFrame_h
 #define BoneDecimate_Core_Geometry_TriangleFrame_h
@@ -45,8 +45,8 @@ public:
   {
     const double twiceArea = this->Normal.norm();
     this->Area = 0.5 * twiceArea;
-    // The plane of a triangle narrower than 1e-9 of its length is rounding error:
-    // its edges are accurate enough.
+    // The plane of a triangle narrower than 1e-9 of its length is rounding error: then the edges
+    // alone are used.
     if (twiceArea * twiceArea > 1e-18 * this->Bb * this->Cc)
     {
       this->Normal /= twiceArea;
@@ -58,15 +58,15 @@ public:
     }
   }
 
-  const Vector3& UnitNormal() const { return this->Normal; } ///< Zero without area.
+  const Vector3& UnitNormal() const { return this->Normal; } ///< Zero if there is no plane.
   double SurfaceArea() const { return this->Area; }          ///< mm^2
   const Vector3& SideToB() const { return this->AB; }
   const Vector3& SideToC() const { return this->AC; }
-  /// The sum of all three, mm^2.
+  /// Sum of the squared sides, mm^2.
   double SquaredSides() const { return 2.0 * (this->Bb + this->Cc - this->Bc); }
   bool HasPlane() const { return this->Inverse > 0.0; }
 
-  /// The weights of b and c at the projection of p onto the plane, also outside of the
+  /// The weights of b and c at the projection of p onto the plane, which may be outside of the
   /// triangle; zero without a plane.
   std::array<double, 2> Coordinates(const Vector3& p) const
   {
@@ -77,8 +77,8 @@ public:
       (this->Bb * pc - this->Bc * pb) * this->Inverse };
   }
 
-  /// Squared distance to a point of the triangle that is nearest but for rounding, mm^2: too small
-  /// by at most the rounding of one subtraction.
+  /// Squared distance, mm^2, to the nearest point up to rounding. It is too small by the rounding
+  /// of one subtraction at most.
   double SquaredReach(const Vector3& p) const
   {
     return (p - this->At(this->Nearest(p))).squaredNorm();
@@ -103,8 +103,8 @@ public:
 
   /**
    * For a point inside the triangle: bit 0, 1, 2 is set if the edge opposite a, b, c is so near
-   * that the triangle across it may be nearer. Triangles across the other edges can be nearer only
-   * at a dihedral angle below 30 degrees.
+   * that the triangle across it may be nearer to the query. Across other edges, this takes a
+   * dihedral angle below 30 degrees.
    */
   int EdgesNearby(const Point& point) const
   {

@@ -10,8 +10,8 @@ namespace
 {
 using Corners = std::array<const Vector3*, 3>;
 
-/// The normal of a triangle narrower than 1e-12 of its length is rounding error:
-/// its edges are accurate enough.
+/// The normal of a triangle narrower than 1e-12 of its length is rounding error: then the edges
+/// alone are used.
 constexpr double MinSquaredSine = 1e-24;
 
 PointOnTriangle PointAt(
@@ -24,7 +24,7 @@ PointOnTriangle PointAt(
   return point;
 }
 
-/// On the edge from corner i to the next one.
+/// The nearest point on the edge from corner i to the next one.
 PointOnTriangle PositionOnEdge(const Vector3& p, const Corners& corners, std::size_t i)
 {
   const std::size_t j = (i + 1) % 3;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleGeometry.h
- * @brief The area vector of a triangle and its point nearest to another point. Handles degenerate
- * triangles.
+ * @brief The area vector of a triangle, and its point nearest to a given point. Degenerate
+ * triangles are allowed.
  */
 #ifndef BoneDecimate_Core_Geometry_TriangleGeometry_h
 #define BoneDecimate_Core_Geometry_TriangleGeometry_h
@@ -25,11 +25,11 @@ inline Vector3 AreaVector(const Vector3& a, const Vector3& b, const Vector3& c)
 std::vector<Vector3> AreaNormals(
   const std::vector<Vector3>& points, const std::vector<Triangle>& triangles);
 
-/// A point on a triangle: position, barycentric coordinates, and distance to the query point.
+/// A point on a triangle, and its distance to the query.
 struct PointOnTriangle
 {
   Vector3 Position = Vector3::Zero();                // mm
-  std::array<double, 3> Weights = { 1.0, 0.0, 0.0 }; // sum 1
+  std::array<double, 3> Weights = { 1.0, 0.0, 0.0 }; // barycentric
   double SquaredDistance = 0.0;                      // mm^2
 };
 

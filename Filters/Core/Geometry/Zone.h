@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Zone.h
- * @brief What lies between two parallel planes.
+ * @brief The space between two parallel planes.
  */
 #ifndef BoneDecimate_Core_Geometry_Zone_h
 #define BoneDecimate_Core_Geometry_Zone_h
@@ -17,17 +17,18 @@ namespace bonedecimate
 struct Zone
 {
   Vector3 Direction = Vector3::UnitZ(); ///< Unit vector.
-  double Low = 0.0;                     ///< mm along the direction.
+  double Low = 0.0;                     ///< mm along the direction
   double High = 0.0;                    ///< mm
 
-  /// Whether the position is between the planes and on neither of them.
+  /// Whether the position lies strictly between the planes.
   bool Contains(const Vector3& position) const
   {
     const double along = Dot(this->Direction, position);
     return along > this->Low && along < this->High;
   }
 
-  /// Whether a part of their convex hull is not farther than that from the zone, mm.
+  /// Whether a part of the convex hull of the points is within the distance of the zone.
+  /// @param distance mm
   template <std::size_t Count>
   bool MayReach(const std::array<Vector3, Count>& points, double distance) const
   {
