@@ -9,7 +9,8 @@
 
 namespace bonedecimate
 {
-/// @param diagonal mm, of the bounding box: from 2 mm (an ossicle) to 3 m (a whole skeleton).
+/// From 2 mm (an ossicle) to 3 m (a whole skeleton). @param diagonal Diagonal of the bounding box,
+/// mm.
 inline bool IsBoneSize(double diagonal)
 {
   return diagonal >= 2.0 && diagonal <= 3000.0;

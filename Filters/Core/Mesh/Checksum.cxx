@@ -31,7 +31,7 @@ std::uint64_t Word(Index value)
   return static_cast<std::uint64_t>(value);
 }
 
-/// The sums of every block of points or triangles.
+/// Sums of every block of points or triangles.
 template <typename Triple>
 std::vector<Sums> SumsOfBlocks(const std::vector<Triple>& triples, int threads)
 {

@@ -129,7 +129,7 @@ public:
     : Input(input)
     , Threads(threads)
     , Clean(clean)
-    , Stand(input.Points.size())
+    , Representative(input.Points.size())
     , Fates(input.Triangles.size(), Fate::Kept)
   {
   }
@@ -151,16 +151,16 @@ public:
 
 private:
   /// The corners as representative points.
-  Triangle Stands(std::size_t t) const
+  Triangle RepresentativeCorners(std::size_t t) const
   {
     const Triangle& c = this->Input.Triangles[t];
-    return { this->Stand[c[0]], this->Stand[c[1]], this->Stand[c[2]] };
+    return { this->Representative[c[0]], this->Representative[c[1]], this->Representative[c[2]] };
   }
 
-  /// For each input point whether a kept triangle uses it.
+  /// For each input point, whether a kept triangle uses it.
   std::vector<char> UsedPoints() const
   {
-    std::vector<char> used(this->Stand.size(), 0);
+    std::vector<char> used(this->Representative.size(), 0);
     for (std::size_t t = 0; t < this->Fates.size(); ++t)
     {
       if (this->Fates[t] == Fate::Kept)
@@ -175,11 +175,13 @@ private:
   void FindStands(bool mergePoints)
   {
     const std::vector<char> used = this->UsedPoints();
-    ForEachId(this->Stand.size(), this->Threads,
-      [&](std::size_t p) { this->Stand[p] = used[p] != 0 ? static_cast<Index>(p) : None; });
+    ForEachId(this->Representative.size(), this->Threads,
+      [&](std::size_t p)
+      { this->Representative[p] = used[p] != 0 ? static_cast<Index>(p) : None; });
     if (mergePoints)
     {
-      this->MergedPoints = MergeEqualPoints(this->Input.Points, this->Stand, this->Threads);
+      this->MergedPoints =
+        MergeEqualPoints(this->Input.Points, this->Representative, this->Threads);
     }
   }
 
@@ -203,7 +205,7 @@ private:
 
   Fate FateOf(std::size_t t) const
   {
-    const Triangle c = this->Stands(t);
+    const Triangle c = this->RepresentativeCorners(t);
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
     {
       return Fate::Repeated;
@@ -212,7 +214,7 @@ private:
     return AreaVector(p[c[0]], p[c[1]], p[c[2]]).isZero(0.0) ? Fate::Flat : Fate::Kept;
   }
 
-  /// A flat triangle with neighbors at two or three edges closes the gap between them.
+  /// A triangle without area that has neighbors at two or three edges closes the gap between them.
   void KeepFlatOnesThatHoldTheSurface()
   {
     std::vector<Triangle> triangles;
@@ -221,11 +223,11 @@ private:
     {
       if (this->Fates[t] != Fate::Repeated)
       {
-        triangles.push_back(this->Stands(t));
+        triangles.push_back(this->RepresentativeCorners(t));
         ids.push_back(t);
       }
     }
-    const EdgeMatching matching(triangles, this->Stand.size(), this->Threads);
+    const EdgeMatching matching(triangles, this->Representative.size(), this->Threads);
     for (std::size_t i = 0; i < ids.size(); ++i)
     {
       const Index* twins = matching.Twins().data() + 4 * i;
@@ -244,25 +246,25 @@ private:
     {
       this->ForgetPointsOfDroppedTriangles();
     }
-    ReserveLarge(number, this->Stand.size());
-    number.assign(this->Stand.size(), None);
-    ReserveLarge(this->Clean.InputPoint, this->Stand.size());
-    for (std::size_t p = 0; p < this->Stand.size(); ++p)
+    ReserveLarge(number, this->Representative.size());
+    number.assign(this->Representative.size(), None);
+    ReserveLarge(this->Clean.InputPoint, this->Representative.size());
+    for (std::size_t p = 0; p < this->Representative.size(); ++p)
     {
-      if (this->Stand[p] == static_cast<Index>(p))
+      if (this->Representative[p] == static_cast<Index>(p))
       {
         number[p] = static_cast<Index>(this->Clean.InputPoint.size());
-        this->Clean.InputPoint.push_back(this->Stand[p]);
+        this->Clean.InputPoint.push_back(this->Representative[p]);
       }
     }
     this->Clean.InputPointCount.assign(this->Clean.InputPoint.size(), 1);
     found.UnusedPoints =
       found.PointsRead - static_cast<std::int64_t>(this->Clean.InputPoint.size());
-    for (std::size_t p = 0; p < this->Stand.size() && this->MergedPoints > 0; ++p)
+    for (std::size_t p = 0; p < this->Representative.size() && this->MergedPoints > 0; ++p)
     {
-      if (this->Stand[p] != None && this->Stand[p] != static_cast<Index>(p))
+      if (this->Representative[p] != None && this->Representative[p] != static_cast<Index>(p))
       {
-        number[p] = number[this->Stand[p]];
+        number[p] = number[this->Representative[p]];
         ++this->Clean.InputPointCount[number[p]];
         ++found.MergedPoints;
         --found.UnusedPoints;
@@ -273,15 +275,15 @@ private:
   /// Points are kept if their representative is a corner of a kept triangle.
   void ForgetPointsOfDroppedTriangles()
   {
-    std::vector<char> used(this->Stand.size(), 0);
+    std::vector<char> used(this->Representative.size(), 0);
     for (std::size_t t = 0; t < this->Fates.size(); ++t)
     {
-      for (const Index corner : this->Stands(t))
+      for (const Index corner : this->RepresentativeCorners(t))
       {
         used[corner] = this->Fates[t] == Fate::Kept ? 1 : used[corner];
       }
     }
-    for (Index& stand : this->Stand)
+    for (Index& stand : this->Representative)
     {
       stand = stand == None || used[stand] == 0 ? None : stand;
     }
@@ -313,7 +315,7 @@ private:
       });
   }
 
-  /// Moves the origin to the least corner of the bounding box.
+  /// Moves the origin to the lower corner of the bounding box.
   void FillPoints()
   {
     const std::vector<Index>& ids = this->Clean.InputPoint;
@@ -343,8 +345,8 @@ private:
   const Surface& Input;
   int Threads;
   CleanSurface& Clean;
-  LargeArray<Index> Stand; // for each input point its representative; None if unused
-  LargeArray<Fate> Fates;  // for each input triangle
+  LargeArray<Index> Representative; // of each input point; None if unused
+  LargeArray<Fate> Fates;           // for each input triangle
   std::int64_t MergedPoints = 0;
 };
 }

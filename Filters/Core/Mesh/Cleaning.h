@@ -6,10 +6,10 @@
  * of these.
  *
  *     check points and triangles
- *     each used point: its representative is the least used point with the same coordinates
- *                      (PointMerging.h)
- *     each triangle:   dropped if two corners are equal, or if it is flat with neighbors at no more
- *                      than one edge
+ *     each used point:   its representative is the first used point with the same coordinates
+ *                        (PointMerging.h)
+ *     each triangle:     dropped if two corners are equal, or if it has no area and neighbors at
+ *                        no more than one edge
  *     renumber the representatives, replace the corners
  *
  * The result does not depend on the number of threads.
@@ -32,22 +32,22 @@ struct CleanSurface
   InputStatus Status = InputStatus::Good;
   CleaningStatistics Statistics;
   bonedecimate::Surface Surface;    ///< Points in mm relative to Origin; every point is used.
-  Vector3 Origin = Vector3::Zero(); ///< mm, the least corner of the used points' bounding box.
-  std::vector<Index> InputPoint; ///< For each point the least input point with these coordinates.
-  std::vector<Index> InputPointCount; ///< For each point the number of input points merged into it.
-  std::vector<Index> InputTriangle;   ///< For each triangle its input triangle.
-  /// For each input point its point here; None if no triangle uses it.
+  Vector3 Origin = Vector3::Zero(); ///< mm, lower corner of the bounding box of used points.
+  std::vector<Index> InputPoint;    ///< For each point, the first input point with its coordinates.
+  std::vector<Index> InputPointCount; ///< For each point, how many input points it merges.
+  std::vector<Index> InputTriangle;   ///< For each triangle, its input triangle.
+  /// For each input point, its point here; None if no triangle uses it.
   std::vector<Index> PointOfInput;
-  PatchMap ManifoldPatches; ///< Empty until it is split.
+  PatchMap ManifoldPatches; ///< Empty unless the surface was split.
 };
 
 /// The first kind of defect that makes the input unusable; Good if there is none.
 InputStatus CheckSurface(const Surface& input, int threads, CleaningStatistics& found);
 
 /**
- * Triangles with a repeated corner are dropped. A triangle of zero area with three different
- * corners is dropped only if it has neighbors at no more than one edge: otherwise dropping it would
- * open a crack. If Status is not Good, only Statistics is filled.
+ * Drops triangles with a repeated corner. A triangle without area but with three different corners
+ * is dropped only if it has neighbors at no more than one edge; otherwise this would open a crack.
+ * If Status is not Good, only Statistics is filled.
  */
 CleanSurface Clean(const Surface& input, bool mergePoints, int threads = 1);
 }

@@ -110,7 +110,7 @@ private:
   const PointGraph& Graph;
   double SquaredRadius; // mm^2
   const std::vector<Curving>& OfVertex;
-  std::vector<Index> SeenFrom; // for each vertex the one whose neighborhood had it last
+  std::vector<Index> SeenFrom; // for each vertex, the last vertex whose neighborhood contains it
   std::vector<Index> Found;
 };
 

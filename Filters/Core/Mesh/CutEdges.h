@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CutEdges.h
- * @brief Edges where a part was cut out of a larger surface: those of one triangle are no
+ * @brief Edges where a part was cut out of a larger surface. They have one triangle but are no
  * boundaries.
  */
 #ifndef BoneDecimate_Core_Mesh_CutEdges_h
@@ -21,7 +21,7 @@ class CutEdges
 {
 public:
   CutEdges() = default;
-  /// @param edges Pairs of vertices, of duplicates their originals.
+  /// @param edges Pairs of original vertices.
   explicit CutEdges(std::vector<std::array<Index, 2>> edges)
     : Edges(std::move(edges))
   {

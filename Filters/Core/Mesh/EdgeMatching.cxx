@@ -13,7 +13,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Up to this number of half-edges at a point, search linearly; more are sorted by their target.
+/// Up to this number of half-edges at a point, the search is linear; more are sorted by their
+/// target.
 constexpr Index LongList = 32;
 
 Index NextCorner(Index k)
@@ -115,7 +116,7 @@ EdgeMatching::Bundle EdgeMatching::Between(Index from, Index to) const
 class EdgeMatching::Marks
 {
 public:
-  /// False if the slot is occupied, by the same neighbor or by another one.
+  /// Stores a half-edge. False if the slot is occupied, by the same neighbor or by another one.
   bool Set(Index point, Index neighbor, HalfEdgeId halfEdge)
   {
     Mark& mark = this->At(neighbor);
@@ -148,7 +149,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Each half-edge is written only by the block of its origin.
+/// Each half-edge is written by the block of its origin only.
 void EdgeMatching::MatchBlock(std::size_t firstPoint, std::size_t lastPoint)
 {
   Marks marks;

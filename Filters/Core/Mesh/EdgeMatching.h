@@ -6,13 +6,13 @@
  *
  * Half-edge 4 f + k runs from corner k of triangle f to the next corner; 4 f + 3 does not exist.
  *
- *     sort the half-edges by origin           counting sort, about six at each point
- *     for each point:                         each triangle has one outgoing and one incoming
- *       to each neighbor one of each: twins     found in one step by marks
- *       otherwise, for each of its edges:       one: boundary; one each way: twins; else odd
- *     for each point: walk from twin to twin  visits all its triangles: one fan
+ *     sort the half-edges by origin:    counting sort, about six at each point
+ *     for each point, match its edges:  each triangle has one outgoing and one incoming half-edge
+ *         one of each to every neighbor:  all are twins; found in one step by marks
+ *         otherwise, edge by edge:        one half-edge: boundary; one each way: twins; else odd
+ *     for each point, walk from twin to twin: its triangles are one fan if all are visited
  *
- * Work is divided into blocks of points and of triangles; the result does not depend on the number
+ * Work is divided into blocks of points and of triangles. The result does not depend on the number
  * of threads.
  */
 #ifndef BoneDecimate_Core_Mesh_EdgeMatching_h
@@ -34,7 +34,7 @@ struct EdgeCounts
   std::int64_t Edges = 0;
   std::int64_t Boundary = 0;        ///< Edges of exactly one triangle.
   std::int64_t NonManifold = 0;     ///< Edges of three or more triangles.
-  std::int64_t PairedHalfEdges = 0; ///< Number of half-edges with a twin; fewer after CutBetween.
+  std::int64_t PairedHalfEdges = 0; ///< Half-edges with a twin; fewer after CutBetween.
 
   EdgeCounts& operator+=(const EdgeCounts& other)
   {
@@ -49,13 +49,13 @@ struct EdgeCounts
 /// The triangles around each point.
 struct Rings
 {
-  /// For each point the half-edge at which its ring starts: the greatest without a twin, else the
-  /// least. None if unused.
+  /// For each point, the half-edge at which its ring starts: the last one without a twin, else the
+  /// first one. None if unused.
   LargeArray<Index> Outgoing;
-  /// For each point: NonManifold if one of its edges is odd or its triangles are not one fan.
+  /// For each point, NonManifold if one of its edges is odd or its triangles are not one fan.
   LargeArray<VertexConstraint> Constraints;
 };
-/// Ascending.
+/// In ascending order.
 std::vector<Index> NonManifoldPoints(const Rings& rings);
 
 class EdgeMatching
@@ -65,10 +65,10 @@ public:
   EdgeMatching(const std::vector<Triangle>& triangles, std::size_t numberOfPoints, int threads = 1);
   EdgeMatching(std::vector<Triangle>&&, std::size_t, int = 1) = delete;
 
-  /// Again, after the triangles have changed.
+  /// Matches again after the triangles have changed.
   void Match(std::size_t numberOfPoints);
 
-  /// For half-edge 4 f + k its twin; None on a boundary, OddEdge if the twin is ambiguous.
+  /// For each half-edge, its twin; None on a boundary, OddEdge if the twin is ambiguous.
   const LargeArray<Index>& Twins() const { return this->TwinOf; }
 
   EdgeCounts CountEdges() const;
@@ -77,10 +77,10 @@ public:
   std::vector<Index> OutgoingAt(Index point) const;
 
   /// Makes edges between triangles of different labels odd.
-  /// @param labels For each triangle. Empty: no labels.
+  /// @param labels The label of each triangle. Empty: no labels.
   void CutBetween(const std::vector<Index>& labels);
 
-  /// Corners of a triangle must differ.
+  /// The corners of each triangle must differ.
   Rings FindRings() const;
 
 private:
@@ -88,7 +88,7 @@ private:
   struct Bundle
   {
     Index Count = 0;
-    Index HalfEdge = None; // one of them
+    Index HalfEdge = None; // any of them
   };
 
   void SortByOrigin();
@@ -106,7 +106,7 @@ private:
 
   const std::vector<Triangle>& Triangles;
   int Threads;
-  LargeArray<Index> Start;  // for each point its first spoke, and finally the end
+  LargeArray<Index> Start;  // for each point, the index of its first spoke; finally, the end
   LargeArray<Index> Spokes; // half-edges by origin; if there are many at a point, also by target
   LargeArray<Index> TwinOf;
 };

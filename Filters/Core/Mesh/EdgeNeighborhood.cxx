@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Collects the faces around the end of the edge while the ring of the start is walked.
+/// Prefetches faces around the end of the edge while the ring of the start is traversed.
 void FetchFacesOfEnd(const HalfEdgeMesh& mesh, HalfEdgeId edge, HalfEdgeId twin)
 {
   constexpr int steps = 2;
@@ -77,8 +77,7 @@ bool EdgeNeighborhood::Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge)
 }
 
 //------------------------------------------------------------------------------
-/// Whether an edit could change too many faces at the vertex. A collapse removes at most two of
-/// them and adds at least one if it has a closed ring.
+/// A collapse removes at most two faces of the vertex and, with a closed ring, adds at least one.
 bool IsHub(const HalfEdgeMesh& mesh, VertexId vertex)
 {
   Index faces = 0;

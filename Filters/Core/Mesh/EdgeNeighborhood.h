@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeNeighborhood.h
- * @brief The neighborhood of an edge, gathered once for the validity checks, the placement and the
- * costs.
+ * @brief The neighborhood of an edge, gathered once for validity checks, placement and costs.
  *
  *          p1 ---- a0 ---- qn       Start, End   the ends of the edge
  *         /  \    /  \    /  \      a0, a1       apexes of the removed faces (no a1 on a boundary)
@@ -31,18 +30,18 @@ struct EdgeNeighborhood
   std::array<VertexId, 2> Apexes;
   Index NumberOfRemovedFaces = 0; ///< 1 on a boundary, else 2.
   std::vector<Index> Corners;     ///< Half-edges of remaining faces whose origin is Start or End.
-  std::vector<Index> Ring;        ///< The link of the edge, in the same order.
-  bool IsOpen = false; ///< Whether the ring does not close because an end lies on a boundary.
-  /// On an open ring: the ends to which the boundary edges of its first and last vertex lead.
+  std::vector<Index> Ring;        ///< The link of the edge; see above.
+  bool IsOpen = false;            ///< Whether the ring is open because an end lies on a boundary.
+  /// On an open ring, the ends from which boundary edges lead to its first and its last vertex.
   std::array<VertexId, 2> BoundaryEnds;
 
   bool IsBoundaryEdge() const { return this->NumberOfRemovedFaces == 1; }
-  /// The faces of Corners, then those that are removed.
+  /// The faces of Corners, then the removed ones.
   std::vector<Index> Faces() const;
 
-  /// Replaces the content without allocating. No end may be NonManifold, and both may be on a
-  /// boundary only if the edge is. False, and the content is of no use, if there are more than
-  /// MaxFacesOfEdit corners.
+  /// Replaces the content without allocating memory. No end may be NonManifold, and both may be on
+  /// a boundary only if the edge is. If more than MaxFacesOfEdit faces would remain, returns false
+  /// and leaves the content undefined.
   bool Gather(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 
   /// The link condition: no vertex occurs twice on the ring, and no end lies on it.

@@ -15,9 +15,8 @@
 
 namespace bonedecimate
 {
-/// Faces at the vertex that a collapse merges or a move moves, at most. Vertices with more wait
-/// until collapses around them have removed some, so that no edit costs more the more faces a
-/// vertex has.
+/// The maximum number of faces at the vertex that a collapse merges or a move moves. It bounds the
+/// cost of an edit. Vertices with more faces wait until collapses around them have removed some.
 constexpr Index MaxFacesOfEdit = 128;
 
 enum class EditKind : std::uint8_t
@@ -31,10 +30,10 @@ enum class EditKind : std::uint8_t
 struct Edit
 {
   HalfEdgeId Edge; ///< The half-edge to collapse, flip or split.
-  VertexId Keep;   ///< The end whose id is kept, or the vertex that moves or is made.
-  /// Where the merged, moved or new vertex is, mm from the local origin.
+  VertexId Keep;   ///< The end whose id is kept, or the vertex that is moved or made.
+  /// Position of the merged, moved or new vertex, mm from the local origin.
   Vector3 Position = Vector3::Zero();
-  bool KeepStays = false; ///< Whether Position is that of Keep, bit for bit.
+  bool KeepStays = false; ///< Whether Keep stays at its position, bit for bit.
   EditKind Kind = EditKind::Collapse;
   std::array<FaceId, 2> Made = {}; ///< The faces that a split makes; the second None on a boundary.
 };
@@ -67,7 +66,7 @@ inline Edit SplitAt(HalfEdgeId edge, const Vector3& position)
   return edit;
 }
 
-/// The edge between two vertices, which is flipped together with an edit.
+/// An edge, given by its ends, that is flipped together with an edit.
 struct EdgeFlip
 {
   VertexId From;
@@ -81,7 +80,7 @@ struct VertexMove
   Vector3 Position; ///< mm from the local origin
 };
 
-/// What belongs to a collapse and is done after it, in this order.
+/// Edits that are made after a collapse, as parts of it: first the moves, then the flips.
 struct NearbyEdits
 {
   std::vector<VertexMove> Moves;

@@ -20,7 +20,7 @@ FreeSlots::FreeSlots(const std::vector<char>& isFree)
 }
 
 //------------------------------------------------------------------------------
-/// With path halving.
+/// Follows links to the end, with path halving.
 Index FreeSlots::Follow(std::vector<Index>& next, Index at)
 {
   while (next[static_cast<std::size_t>(at)] != at)

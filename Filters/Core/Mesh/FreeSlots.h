@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FreeSlots.h
- * @brief Ids of removed vertices and faces that edge splits use again.
+ * @brief Ids of removed vertices and faces, which edge splits use again.
  *
  * Ids follow the surface (SpatialOrder.h), so a split takes the free id nearest to that of a
  * neighbor.
@@ -16,8 +16,7 @@
 
 namespace bonedecimate
 {
-/// A set of ids of which the one nearest to another id is taken at a time, in nearly constant time
-/// on average.
+/// A set of ids that finds the one nearest to a given id, in nearly constant time on average.
 class FreeSlots
 {
 public:
@@ -25,15 +24,15 @@ public:
   explicit FreeSlots(const std::vector<char>& isFree);
 
   Index Count() const { return this->Remaining; }
-  /// The one nearest to that id, the lower of two, but not `except`; None if there is none left.
+  /// The free id nearest to `id` other than `except`, the lower one of two; None if none is left.
   Index FindNearest(Index id, Index except = None);
   void Take(Index id);
 
 private:
   static Index Follow(std::vector<Index>& next, Index at);
 
-  // At id + 1, of each id: the next free id + 1 upward or downward, itself if it is free; both ends
-  // always are.
+  // At id + 1: the next free id + 1 upward or downward, or itself if the id is free. Both ends
+  // count as free.
   std::vector<Index> Upward;
   std::vector<Index> Downward;
   Index Remaining = 0;

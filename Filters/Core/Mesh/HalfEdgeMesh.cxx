@@ -17,11 +17,11 @@ namespace bonedecimate
 {
 namespace
 {
-/// The bits of the area in the word that also has z of a face's original normal: the upper half of
-/// a positive float, so never None.
+/// The bits of the area in the word that also contains z of the initial normal: the upper half of a
+/// positive float, so never None.
 constexpr std::uint32_t AreaBits = 0xFFFF0000U;
 
-/// Mean length of one edge of each triangle, mm.
+/// Mean length of the first edge of each triangle, mm.
 double MeanLength(const Surface& surface, int threads)
 {
   const double sum = SumOverBlocks(surface.Triangles.size(), threads,
@@ -176,7 +176,7 @@ void HalfEdgeMesh::Save(FaceId face, Saved& saved) const
 }
 
 //------------------------------------------------------------------------------
-/// The last first: what was saved twice was as at first the first time.
+/// Restores in reverse order, so that of records saved twice, the first copy remains.
 void HalfEdgeMesh::Restore(const Saved& saved)
 {
   std::for_each(saved.Faces.rbegin(), saved.Faces.rend(),
@@ -265,7 +265,7 @@ void HalfEdgeMesh::Split(const Edit& edit)
 }
 
 //------------------------------------------------------------------------------
-/// Removes the face of h and merges its other two edges. The first normal stays, for an edit that
+/// Removes the face of h and merges its other two edges. Its initial normal stays, in case the edit
 /// is undone.
 void HalfEdgeMesh::RemoveFace(HalfEdgeId h)
 {

@@ -2,24 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file HalfEdgeMesh.h
- * @brief A triangle mesh as half-edges in flat arrays, with constrained vertices where it is not
+ * @brief A triangle mesh as half-edges in flat arrays. Its vertices are constrained where it is not
  * manifold.
  *
  * Half-edge h = 4 f + k, k = 0, 1, 2, runs from corner k of face f to the next corner, the face on
  * its left:
  *
- *              apex
- *             /    \            Next(h), Previous(h): the other two in the face
- *        Prev/      \Next       Twin(h): the other half of the edge, None on a boundary
- *           /   f    \          Outgoing(v): the half-edge at which the ring of v starts
+ *              Apex(h)
+ *              /    \            Next(h), Previous(h): the other two half-edges of the face
+ *        Prev/      \Next       Twin(h): the other half-edge of the edge; None on a boundary
+ *           /   f    \          Outgoing(v): the half-edge at which the ring of v starts,
  *     Origin ---h---> Target      counter-clockwise; at a boundary vertex the one without a twin
  *
- * Invariants (checked by Invariants.h): twins refer to each other and have opposite directions; a
- * face is alive or its corners are None; the ring of a vertex that is not NonManifold is one fan
- * with all its faces. VertexConstraint.h says what edits may do to a vertex.
+ * Invariants, checked by Invariants.h:
  *
- * A face record is half a cache line, a vertex record is one: an edge is evaluated from the records
- * of its ends.
+ *     twins refer to each other and have opposite directions
+ *     a face is alive, or its corners are None
+ *     the ring of a vertex that is not NonManifold is one fan with all its faces
+ *
+ * VertexConstraint.h says what edits may do to a vertex. A face record is half a cache line and a
+ * vertex record is one, because edges are evaluated from the records of their ends.
+ *
+ * `Initial` is the state before the first edit.
  */
 #ifndef BoneDecimate_Core_Mesh_HalfEdgeMesh_h
 #define BoneDecimate_Core_Mesh_HalfEdgeMesh_h
@@ -41,19 +45,19 @@ namespace bonedecimate
 struct Edit;
 struct EdgeNeighborhood;
 
-/// The splitting of a surface into manifold patches, see ManifoldPatches.h.
+/// How a surface was split into manifold patches (ManifoldPatches.h).
 struct PatchMap
 {
-  /// For each point the original vertex of all its duplicates. Empty: nothing was split.
+  /// For each point, its original vertex, common to all its duplicates. Empty: nothing was split.
   std::vector<Index> OriginalVertices;
-  EdgeCounts Edges; ///< Before splitting.
+  EdgeCounts Edges; ///< Before the split.
 };
 
-/// Sums over the triangles at a vertex, with area A and unit normal n; all their planes pass
-/// through the vertex.
+/// Sums over the triangles at a vertex, with area A and unit normal n. All planes pass through the
+/// vertex.
 struct RingQuadric
 {
-  /// xx xy xz yy yz zz of the sum of 2 A n n^T, squares of the mesh's unit.
+  /// Sum of 2 A n n^T as xx xy xz yy yz zz, squares of the mesh's unit.
   std::array<float, 6> M;
   std::array<float, 3> G; ///< Sum of 2 A n, squares of the mesh's unit.
 };
@@ -68,16 +72,16 @@ static_assert(sizeof(VertexRecord) == 64, "one cache line");
 
 struct alignas(32) FaceRecord
 {
-  std::array<Index, 4> Origins; ///< The fourth stores x and y of the original normal.
-  std::array<Index, 4> Twins; ///< The fourth stores the original area and z of the original normal;
-                              ///< None: not stored yet.
+  std::array<Index, 4> Origins; ///< The fourth packs x and y of the initial normal.
+  /// The fourth packs the initial area and z of the initial normal; None: not stored yet.
+  std::array<Index, 4> Twins;
 };
 static_assert(sizeof(FaceRecord) == 32, "half a cache line");
 
 class HalfEdgeMesh
 {
 public:
-  /// Every point must be used by a triangle, corners of a triangle must differ.
+  /// Every point must be used by a triangle, and the corners of each triangle must differ.
   explicit HalfEdgeMesh(const Surface& surface, int threads = 1, const PatchMap& patches = {});
   /// @param edges The edges of these triangles.  @param rings The rings of the edges.
   HalfEdgeMesh(const Surface& surface, const EdgeMatching& edges, Rings rings, int threads,
@@ -112,15 +116,14 @@ public:
     return { corners[0], corners[1], corners[2] };
   }
 
-  /// A face of more than this many times its original area replaces so many faces that its own
-  /// original normal says nothing about them any more.
+  /// A face of more than this many times its initial area replaces so many faces that its initial
+  /// normal says nothing about them.
   static constexpr double MaxAreaGrowth = 8.0;
 
   /**
-   * Whether a face with that area vector would point away from its original normal. False if the
-   * face was never changed and has no stored normal, and for an area of more than
-   * MaxAreaGrowth times the original one.
-   * @param area Along the normal, mm^2.
+   * Whether a face with that area vector would point away from its initial normal. False if the
+   * face was never changed, or if its area exceeds MaxAreaGrowth times the initial one.
+   * @param area Area vector, mm^2.
    */
   bool IsTurnedOver(FaceId face, const Vector3& area) const
   {
@@ -128,10 +131,10 @@ public:
       !(area.norm() > MaxAreaGrowth * this->InitialArea(face));
   }
 
-  /// Whether that normal is stored: from the first change of the face on.
+  /// Whether the face has been changed, so that its initial normal is stored.
   bool HasInitialNormal(FaceId face) const { return this->Faces[face].Twins[3] != None; }
 
-  /// The triangle of the input whose labels the face has: itself, unless a split made it.
+  /// The input triangle whose labels the face has: the face itself, unless a split made it.
   FaceId InputFace(FaceId face) const
   {
     return this->InputFaces.empty() ? face
@@ -139,12 +142,12 @@ public:
   }
 
   bool HasPatches() const { return !this->OriginalVertices.empty(); }
-  /// The original vertex: the same for all duplicates of a point; v if there are none.
+  /// The original vertex of all duplicates of a point; v if the point was not split.
   VertexId OriginalVertex(VertexId v) const
   {
     return this->OriginalVertices.empty() ? v : VertexId(this->OriginalVertices[v]);
   }
-  /// The next duplicate, in a cyclic list.
+  /// The next duplicate, in a cyclic list of all duplicates of a point.
   VertexId NextDuplicate(VertexId v) const
   {
     return this->NextDuplicates.empty() ? v : VertexId(this->NextDuplicates[v]);
@@ -154,30 +157,29 @@ public:
   Index NumberOfFaceSlots() const { return static_cast<Index>(this->Faces.size()); }
   Index NumberOfFaces() const { return this->LiveFaces; }
 
-  /// Mean length of the original edges, one of each triangle, mm; 1 if that is 0.
+  /// Mean length of the first edges of all initial faces, mm; 1 if that is 0.
   double InitialEdgeLength() const { return this->Length; }
-  /// Edge counts before splitting into patches.
+  /// Edge counts of the surface before its split into patches.
   const EdgeCounts& InitialEdgeCounts() const { return this->Counts; }
-  /// The largest power of two not above that length, mm.
+  /// The largest power of two that does not exceed the mean edge length, mm.
   double Unit() const { return this->LengthUnit; }
 
-  /// The half-edges that leave v, counter-clockwise, one for each of its faces. v must not be
-  /// NonManifold.
+  /// The half-edges that leave v, counter-clockwise, one per face. v must not be NonManifold.
   class OutgoingRange;
   OutgoingRange OutgoingOf(VertexId v) const;
 
-  /// Calls visit(h) for a half-edge of every edge at v, in ring order: outgoing ones and, on a
-  /// boundary, finally an incoming one.
+  /// Calls visit(h) once for every edge at v, in the order of the ring: for outgoing half-edges
+  /// and, at a boundary, finally for an incoming one.
   template <typename Visit>
   void VisitEdges(VertexId v, Visit visit) const
   {
     this->VisitNeighbors(v, [&](HalfEdgeId h, Index) { visit(h); });
   }
-  /// The same with visit(h, other end), which may return whether to go on.
+  /// The same with visit(h, other end). visit may return a bool: false ends the visits.
   template <typename Visit>
   void VisitNeighbors(VertexId v, Visit visit) const;
 
-  /// The other end of the edge of half-edge h at v.
+  /// The end of the edge that is not v.
   VertexId OtherEnd(HalfEdgeId h, VertexId v) const
   {
     return this->Origin(h) == v ? this->Target(h) : this->Origin(h);
@@ -188,15 +190,15 @@ private:
 
   void LinkDuplicates(const PatchMap& patches);
 
-  /// Merges the ends of the edge into `keep` (one of them) at `position`. The caller has checked
+  /// Merges the ends of the edge into `keep`, one of them, at `position`. The caller has checked
   /// that this is valid.
   void Collapse(const EdgeNeighborhood& around, VertexId keep, const Vector3& position);
-  /// Replaces the edge of h, which has two faces, by the edge between their apexes. The caller
-  /// has checked that this is valid.
+  /// Replaces the edge of h, which has two faces, by the edge between their apexes. The caller has
+  /// checked that this is valid.
   void Flip(HalfEdgeId h);
-  /// Puts the vertex edit.Keep, which has no faces, on the edge. Each of its faces a b c keeps its
-  /// id as a m c and gives the rest, m b c, to one of edit.Made. The caller has checked that this
-  /// is valid.
+  /// Puts the vertex edit.Keep, which has no faces, on the edge. Each face a b c at it keeps its id
+  /// as a m c; its other half m b c gets an id from edit.Made. The caller has checked that this is
+  /// valid.
   void Split(const Edit& edit);
   /// @param h From a to b, of the face a b c.  @param vertex m.  @param made Becomes m b c.
   void SplitFace(HalfEdgeId h, VertexId vertex, FaceId made);
@@ -208,8 +210,8 @@ private:
       : VertexConstraint::Constrained;
   }
   void Move(VertexId v, const Vector3& position) { this->Vertices[v].Position = position; }
-  /// Must be called before the face changes: stores its normal and area the first time.
-  /// @param area Along the normal, mm^2.
+  /// Stores normal and area of the face the first time. Must be called before the face changes.
+  /// @param area Area vector, mm^2.
   void StoreInitialNormal(FaceId face, const Vector3& area)
   {
     if (this->Faces[face].Twins[3] == None)
@@ -218,8 +220,8 @@ private:
     }
   }
   static void PackInitialNormal(FaceRecord& record, const Vector3& area);
-  /// Encodes the normal in three numbers of 16 bits, precise to 0.01 degrees, and the area in 16,
-  /// precise to 1 percent.
+  /// The normal is packed into three numbers of 16 bits, precise to 0.01 degrees, and the area into
+  /// 16 bits, precise to 1 %.
   Vector3 InitialNormal(FaceId face) const
   {
     const std::int32_t xy = this->Faces[face].Origins[3];
@@ -228,9 +230,10 @@ private:
       static_cast<double>(static_cast<std::int16_t>(xy & 0xFFFF)),
       static_cast<double>(static_cast<std::int16_t>(z)) };
   }
-  /// The original area, mm^2.
+  /// The area before the first edit, mm^2.
   double InitialArea(FaceId face) const;
-  /// What edits of faces change, to undo them: the faces, those beside them and their corners.
+  /// Records that edits of faces change, to undo them: the faces, those beside them, and their
+  /// corners.
   struct Saved
   {
     std::vector<std::pair<FaceId, FaceRecord>> Faces;
@@ -238,8 +241,8 @@ private:
   };
   void Save(FaceId face, Saved& saved) const;
   void Restore(const Saved& saved);
-  /// To undo a collapse: the corners of each of its faces, then the twins of the removed ones. A
-  /// removed face keeps its first normal.
+  /// These undo a collapse: first the corners of each of its faces, then the twins of the removed
+  /// ones. A removed face keeps its initial normal.
   void RestoreCorners(FaceId face, const Triangle& corners)
   {
     std::copy(corners.begin(), corners.end(), this->Faces[face].Origins.begin());
@@ -251,20 +254,20 @@ private:
       this->Pair(HalfEdge(face, k), twins[static_cast<std::size_t>(k)]);
     }
   }
-  /// As before the first change of the face.
+  /// Makes the face one that was never changed.
   void ForgetInitialNormal(FaceId face)
   {
     this->Faces[face].Origins[3] = None;
     this->Faces[face].Twins[3] = None;
   }
-  /// Unless another edit has removed that half-edge: then the present one stays.
+  /// Has no effect if another edit has removed that half-edge.
   void RestoreOutgoing(VertexId v, HalfEdgeId h)
   {
     this->Vertices[v].Outgoing = this->Origin(h) == v ? h : this->Outgoing(v);
   }
   void Pair(HalfEdgeId h, HalfEdgeId twin);
   void RemoveFace(HalfEdgeId h);
-  /// Sets the number of faces after parallel workers have removed some.
+  /// Updates the number of faces after parallel workers have removed some.
   void CountRemovedFaces(Index count) { this->LiveFaces -= count; }
 
   LargeArray<VertexRecord> Vertices;
@@ -357,7 +360,7 @@ void HalfEdgeMesh::VisitNeighbors(VertexId v, Visit visit) const
   }
 }
 
-/// mm, the corners of a face.
+/// Corners of a face, mm.
 inline std::array<Vector3, 3> PositionsOf(const HalfEdgeMesh& mesh, FaceId face)
 {
   const Triangle c = mesh.Corners(face);

@@ -4,9 +4,8 @@
  * @file Handles.h
  * @brief Indices of vertices, half-edges and faces of a mesh, as types that cannot be mixed up.
  *
- * A handle converts to an Index, for arrays, and from one, for loops over slots. A handle made
- * without a value is None. A handle of one kind where another is expected does not compile, and
- * neither does a comparison of two kinds.
+ * A handle converts to an Index, for arrays, and from one, for loops over slots. A default handle
+ * is None. Neither the conversion of one kind of handle to another nor their comparison compiles.
  */
 #ifndef BoneDecimate_Core_Mesh_Handles_h
 #define BoneDecimate_Core_Mesh_Handles_h

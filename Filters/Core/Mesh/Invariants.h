@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Invariants.h
- * @brief Checks the invariants of HalfEdgeMesh; for tests and fuzzers, never inside the loop.
+ * @brief Checks the invariants of HalfEdgeMesh, for tests and fuzzers.
  */
 #ifndef BoneDecimate_Core_Mesh_Invariants_h
 #define BoneDecimate_Core_Mesh_Invariants_h

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LocalLengths.h
- * @brief The length that edges are to have at each vertex, kept with its position so that
- * only moved vertices are looked up.
+ * @brief The requested edge length at each vertex, stored with the position of the vertex, so that
+ * only moved vertices are looked up again.
  */
 #ifndef BoneDecimate_Core_Mesh_LocalLengths_h
 #define BoneDecimate_Core_Mesh_LocalLengths_h
@@ -19,13 +19,13 @@ namespace bonedecimate
 class LocalLengths
 {
 public:
-  /// @param sizes Null: there are none.
+  /// @param sizes Null: there are no local lengths.
   LocalLengths(std::shared_ptr<const SizingField> sizes, const HalfEdgeMesh& mesh, int threads);
 
-  /// mm, of a vertex at that position, which it need not have.
+  /// The length, mm, for a vertex at the given position.
   double At(VertexId vertex, const Vector3& position) const;
 
-  /// The same; keeps it if the vertex has moved or is new.
+  /// The same. Stores the length if the vertex has moved or is new.
   double Update(VertexId vertex, const Vector3& position);
 
 private:

@@ -4,17 +4,17 @@
  * @file ManifoldPatches.h
  * @brief Splits a surface into manifold patches and joins them again.
  *
- *     odd edge:  an edge of three or more triangles, of inconsistent orientation, or between labels
- *     each end of an odd edge, and each point where several fans meet:
- *         every fan of triangles gets a duplicate of the point; all duplicates refer to one
- *           original vertex and are stationary
+ *     odd edge:   has three or more triangles or inconsistent orientation, or lies between labels
+ *     split:      at the ends of odd edges and at points where several fans meet, every fan of
+ *                 triangles gets a duplicate of the point
+ *     duplicates: all refer to one original vertex, and are stationary
  *
- * Duplicates are never moved or removed, so patches are joined by replacing each duplicate by its
- * original vertex. Decimate/Edit/PatchRules.h prevents two patches from getting further edges in
- * common.
+ * Duplicates are never moved or removed on their own. So the patches are joined by replacing each
+ * duplicate by its original vertex. Decimate/Edit/PatchRules.h prevents two patches from getting
+ * further edges in common.
  *
- * A. Gueziec, G. Taubin, F. Lazarus, B. Horn, Cutting and stitching: converting sets of
- * polygons to manifold surfaces, 2001.
+ * A. Gueziec, G. Taubin, F. Lazarus, B. Horn, Cutting and stitching: converting sets of polygons to
+ * manifold surfaces, 2001.
  */
 #ifndef BoneDecimate_Core_Mesh_ManifoldPatches_h
 #define BoneDecimate_Core_Mesh_ManifoldPatches_h
@@ -25,15 +25,16 @@
 namespace bonedecimate
 {
 /// Splits the surface and updates its maps. Duplicates are appended; each input point maps to the
-/// first of them.
+/// first one.
 /// @param edges The edges of its triangles.
-/// @return Whether anything was split: its edges then have to be matched again.
+/// @return Whether anything was split. Then the edges have to be matched again.
 bool SplitIntoManifoldPatches(CleanSurface& clean, const EdgeMatching& edges, const Rings& rings);
-/// @param labels For each triangle: edges between different ones are odd. Empty: no labels.
+/// The same, where edges between triangles of different labels are odd.
+/// @param labels The label of each triangle. Empty: no labels.
 bool SplitIntoManifoldPatches(
   CleanSurface& clean, int threads = 1, const std::vector<Index>& labels = {});
 
-/// Number of points, duplicates not counted.
+/// Number of points without duplicates.
 std::int64_t NumberOfOriginalVertices(const CleanSurface& clean);
 
 /// Calls use(surface) with the patches joined.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeanEdgeLength.h
- * @brief The mean edge length, which makes costs of different powers of length comparable.
+ * @brief The mean edge length, by which costs of different powers of length become comparable.
  */
 #ifndef BoneDecimate_Core_Mesh_MeanEdgeLength_h
 #define BoneDecimate_Core_Mesh_MeanEdgeLength_h

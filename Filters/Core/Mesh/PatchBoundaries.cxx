@@ -13,7 +13,7 @@ namespace
 {
 using Ends = std::array<Index, 2>;
 
-/// The neighbors along a patch boundary; None where it does not continue.
+/// The neighbors along a patch boundary; None where the boundary ends.
 Ends NeighborsOnBoundary(const HalfEdgeMesh& mesh, VertexId v)
 {
   const Ends beside = BoundaryNeighbors(mesh, v);

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PatchBoundaries.h
- * @brief The curves along which manifold patches meet, as chains of original vertices;
- * inner vertices can be removed.
+ * @brief The curves along which manifold patches meet, as chains of original vertices. Inner
+ * vertices of a curve can be removed.
  *
- *     inner vertex:   every duplicate lies on the boundary of its patch, and all have
- *                     the same two neighbors along it
+ *     inner vertex:   every duplicate lies on the boundary of its patch, and all have the same
+ *                     two neighbors along it
  *     curve:          inner vertices between two ends that are not inner vertices
- *     closed curve:   starts and ends at its least vertex
+ *     closed curve:   starts and ends at its smallest vertex
  *
- * The vertices never move, so removed vertices keep their position in the order between two
- * remaining ones.
+ * The vertices never move. So the removed vertices between two remaining ones are still those that
+ * followed each other on the curve.
  */
 #ifndef BoneDecimate_Core_Mesh_PatchBoundaries_h
 #define BoneDecimate_Core_Mesh_PatchBoundaries_h
@@ -23,20 +23,20 @@
 
 namespace bonedecimate
 {
-/// The original vertices next to v along the boundary of its patch, the lesser first; None if v is
-/// not on one.
+/// The original vertices next to v along the boundary of its patch, in ascending order; None if v
+/// is not on a boundary.
 std::array<Index, 2> BoundaryNeighbors(const HalfEdgeMesh& mesh, VertexId v);
 
-/// Whether v is an inner vertex of a curve: it has the same two neighbors in every patch.
+/// Whether v is an inner vertex: it has the same two neighbors in every patch.
 bool IsInsidePatchBoundary(const HalfEdgeMesh& mesh, VertexId v);
 
 class PatchBoundaries
 {
 public:
-  /// @param mesh Before the first edit; constrained vertices end a curve.
+  /// @param mesh Before the first edit. Constrained vertices end a curve.
   explicit PatchBoundaries(const HalfEdgeMesh& mesh);
 
-  /// Number of positions on curves; a common end of several curves counts several times.
+  /// Number of positions on curves. A common end of several curves counts several times.
   Index NumberOfPositions() const { return static_cast<Index>(this->OriginalVertices.size()); }
   Index NumberOfEdges() const { return this->Edges; }
   Index NumberOfInitialEdges() const { return this->InitialEdges; }
@@ -44,13 +44,13 @@ public:
   Index OriginalVertex(Index index) const { return this->OriginalVertices[index]; }
   Index Before(Index index) const { return this->Neighbors[index][0]; }
   Index After(Index index) const { return this->Neighbors[index][1]; }
-  /// Whether it is an inner vertex and not removed.
+  /// Whether the vertex is an inner vertex and not removed.
   bool IsRemovable(Index index) const
   {
     return this->Before(index) != None && this->After(index) != None;
   }
 
-  /// mm, the largest distance of this vertex, and of those removed next to it, to the edge that
+  /// The largest distance, mm, of this vertex and of those removed next to it to the edge that
   /// would replace its two edges. Infinite if that edge would have no length, or if a distance
   /// exceeds `limitOf(vertex)`, mm.
   template <typename LimitOf>
@@ -65,8 +65,8 @@ private:
     Index first, Index second, std::vector<char>& isOpen, const std::vector<Ends>& beside);
   double Distance(const HalfEdgeMesh& mesh, Index original, const Ends& segment) const;
 
-  std::vector<Index> OriginalVertices; // for each position, curve by curve
-  std::vector<Ends> Neighbors;         // positions; None beyond ends and for removed vertices
+  std::vector<Index> OriginalVertices; // at each position, curve by curve
+  std::vector<Ends> Neighbors;         // positions; None beyond an end and if removed
   Index Edges = 0;
   Index InitialEdges = 0;
 };

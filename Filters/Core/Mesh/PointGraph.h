@@ -17,11 +17,11 @@ namespace bonedecimate
 class PointGraph
 {
 public:
-  /// @param duplicates For each point one at the same position, which counts as its neighbor;
-  /// empty: none.
+  /// @param duplicates For each point, a point at the same position, which counts as its neighbor.
+  /// Empty: there are none.
   explicit PointGraph(const Surface& surface, const std::vector<Index>& duplicates = {});
 
-  /// Calls visit(neighbor) for each neighbor, some of them twice.
+  /// Calls visit(neighbor) for each neighbor. Some neighbors are visited twice.
   template <typename Visit>
   void VisitNeighbors(Index point, const Visit& visit) const
   {

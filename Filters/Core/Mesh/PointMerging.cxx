@@ -38,7 +38,7 @@ struct Entry
   Index Point;
 };
 
-/// Points by the first bits of their hash, ascending in each part.
+/// The points sorted by the first bits of their hashes, ascending in each part.
 struct Parts
 {
   LargeArray<Entry> Entries;
@@ -110,8 +110,7 @@ Parts Distribute(
   return result;
 }
 
-/// Open addressing, never more than half full; the index in the table comes from the last bits of
-/// the hash.
+/// A table with open addressing, at most half full. The slot comes from the last bits of the hash.
 std::int64_t MergePart(const std::vector<Vector3>& points, const Entry* first, const Entry* last,
   std::vector<Entry>& table, LargeArray<Index>& representative)
 {

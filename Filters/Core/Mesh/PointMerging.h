@@ -4,8 +4,8 @@
  * @file PointMerging.h
  * @brief Finds points with exactly the same coordinates; -0 equals +0.
  *
- *     hash every point, distribute them over parts by the first bits of their hash
- *     for each part: a separate table that fits into the cache, points entered in ascending order
+ *     hash every point; distribute the points over parts by the first bits of their hashes
+ *     each part has a table that fits into the cache; enter its points in ascending order
  */
 #ifndef BoneDecimate_Core_Mesh_PointMerging_h
 #define BoneDecimate_Core_Mesh_PointMerging_h
@@ -18,8 +18,8 @@
 namespace bonedecimate
 {
 /**
- * @param representative In: for each point to be compared its own index, for others None. Out: the
- *   least point with the same coordinates.
+ * @param representative In: for each point to compare, its index; for others, None. Out: the first
+ *   point with the same coordinates.
  * @return Number of points represented by another one.
  */
 std::int64_t MergeEqualPoints(

@@ -4,11 +4,11 @@
  * @file PointRounding.h
  * @brief How positions are rounded when they are written.
  *
- *     grid      to the nearest whole multiple of a step, for files that hold whole numbers
+ *     grid      to the nearest multiple of a step, for files that store whole numbers
  *     single    to the nearest number of single precision
  *
- * What is proved is proved of rounded positions: edits move vertices to where they will be written,
- * and the error bound keeps what rounding takes of vertices that never move.
+ * Proofs refer to rounded positions: edits move vertices to rounded positions, and the error bound
+ * keeps a reserve for the rounding of vertices that never move.
  */
 #ifndef BoneDecimate_Core_Mesh_PointRounding_h
 #define BoneDecimate_Core_Mesh_PointRounding_h
@@ -22,16 +22,16 @@ Vector3 RoundedToSingle(const Vector3& position);
 struct PointRounding
 {
   bool ToSingle = false;
-  /// mm; 0: no grid. A power of two is exact in any precision that has the bits.
+  /// mm; 0: no grid. A power of two keeps multiples exact in any precision that has enough bits.
   double GridStep = 0.0;
 
   bool HasGrid() const { return this->GridStep > 0.0; }
   bool Rounds() const { return this->ToSingle || this->HasGrid(); }
 
-  /// @param position mm, in the frame of the output.
+  /// The rounded position. @param position mm, in the frame of the output.
   Vector3 Of(const Vector3& position) const;
 
-  /// The same of a position relative to an origin.
+  /// The same for a position relative to an origin.
   Vector3 OfLocal(const Vector3& local, const Vector3& origin) const;
 };
 }

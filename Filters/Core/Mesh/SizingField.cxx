@@ -31,7 +31,7 @@ SizingField::LocalLength SizingField::At(const Vector3& position, Index hint) co
 }
 
 //------------------------------------------------------------------------------
-/// From the shortest length on, as in Dijkstra's shortest paths.
+/// Starts at the shortest length, like Dijkstra's algorithm.
 void GradeLengths(
   const Surface& surface, const PointGraph& graph, double slope, std::vector<double>& lengths)
 {
@@ -51,10 +51,10 @@ void GradeLengths(
     }
     const Vector3& here = surface.Points[static_cast<std::size_t>(point)];
     graph.VisitNeighbors(point,
-      [&, most = length](Index neighbor)
+      [&, base = length](Index neighbor)
       {
         const auto n = static_cast<std::size_t>(neighbor);
-        const double there = most + slope * (surface.Points[n] - here).norm();
+        const double there = base + slope * (surface.Points[n] - here).norm();
         if (there < lengths[n])
         {
           lengths[n] = there;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SizingField.h
- * @brief The length that edges are to have at each position: that at the nearest point of a
- * surface.
+ * @brief The requested edge length at each position: that at the nearest point of a surface.
  */
 #ifndef BoneDecimate_Core_Mesh_SizingField_h
 #define BoneDecimate_Core_Mesh_SizingField_h
@@ -19,18 +18,18 @@ namespace bonedecimate
 class SizingField
 {
 public:
-  /// @param surface With at least one triangle.  @param lengths mm, above 0, of each of its points.
+  /// @param surface At least one triangle.  @param lengths mm, above 0, one per point.
   SizingField(const Surface& surface, std::vector<double> lengths, int threads);
 
   struct LocalLength
   {
-    double Length; ///< mm, linear on each triangle of the surface.
+    double Length; ///< mm, linear on each triangle.
     Index Triangle;
   };
   /// @param hint A triangle near the position; changes the time, never the result.
   LocalLength At(const Vector3& position, Index hint = None) const;
 
-  double MinLength() const { return this->ShortestLength; } ///< mm, of all points.
+  double MinLength() const { return this->ShortestLength; } ///< mm
 
 private:
   BoundingTree Tree;
@@ -39,9 +38,9 @@ private:
   double ShortestLength;       // mm
 };
 
-/// Shortens lengths so that along an edge of the graph none exceeds that of the other end by
-/// more than slope times the edge.
-/// @param lengths mm, of each point.
+/// Shortens lengths so that along an edge of the graph, the length at one end exceeds that at the
+/// other by no more than slope times the edge.
+/// @param lengths mm, one per point.
 void GradeLengths(
   const Surface& surface, const PointGraph& graph, double slope, std::vector<double>& lengths);
 }

@@ -35,7 +35,7 @@ std::uint64_t Spread(std::uint64_t x)
   return x;
 }
 
-/// The grid about the points.
+/// The grid around the points.
 class Curve
 {
 public:
@@ -114,7 +114,7 @@ LargeArray<CurveEntry> Entries(const Curve& curve, std::size_t count, int thread
   return entries;
 }
 
-/// One pass of radix sort; returns the first entry of each digit, and finally the end.
+/// One pass of radix sort. Returns the first entry of each digit and, finally, the end.
 std::vector<std::size_t> Distribute(
   const CurveEntry* from, std::size_t count, int shift, CurveEntry* to)
 {
@@ -167,8 +167,8 @@ void SortTies(const Curve& curve, CurveEntry* entries, std::size_t count)
   }
 }
 
-/// For each new index the old one; triangles are sorted by the new indices of their corners from
-/// the least on.
+/// For each new index, the old one. Triangles are sorted by the new indices of their corners,
+/// starting at the smallest one.
 std::vector<Index> OrderByLeastPoint(
   const std::vector<Triangle>& triangles, std::size_t numberOfPoints)
 {
@@ -220,7 +220,7 @@ void Permute(std::vector<Value>& values, const std::vector<Index>& order, int th
   values = std::move(permuted);
 }
 
-/// For each old index the new one.
+/// For each old index, the new one.
 std::vector<Index> Inverse(const std::vector<Index>& order, int threads)
 {
   std::vector<Index> inverse(order.size());
@@ -259,7 +259,7 @@ std::vector<Index> CurveOrder(const std::vector<Vector3>& points, int threads)
 
 namespace
 {
-/// The same of sorted points with duplicates at the end, by ascending original.
+/// The same for sorted points with duplicates at the end, by ascending original vertex.
 std::vector<Index> OrderWithDuplicates(
   const std::vector<Vector3>& points, const std::vector<Index>& originals)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SplitMix.h
- * @brief A word with all bits mixed, for sums that do not depend on the order of their terms.
+ * @brief Mixes all bits of a word, for sums that do not depend on the order of their terms.
  *
  * The mixer of SplitMix64: G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number
  * generators, 2014.

@@ -15,26 +15,26 @@
 
 namespace bonedecimate
 {
-/// Points may be unused; corners must be valid.
+/// Points may be unused. Corners must be valid.
 SurfaceStatistics Describe(const Surface& surface, int threads = 1);
 
 /// Figures that are already known.
 struct SurfaceCounts
 {
-  std::int64_t Points = 0; ///< That triangles use.
+  std::int64_t Points = 0; ///< Used by triangles.
   std::int64_t Components = 0;
   EdgeCounts Edges;
 };
 SurfaceStatistics Describe(const Surface& surface, const SurfaceCounts& counts, int threads);
 
-/// The components, numbered in the order of their least point; None for points that no triangle
-/// uses.
+/// The components, in the order of their first points; None for points that no triangle uses.
 struct Components
 {
   std::vector<Index> OfPoint;
   Index Count = 0;
 };
-/// @param originals For each point another one, not after it, that is joined with it. Empty: none.
+/// @param originals For each point, a point not after it that belongs to the same component. Empty:
+/// there are none.
 Components FindComponents(const Surface& surface, const std::vector<Index>& originals = {});
 }
 

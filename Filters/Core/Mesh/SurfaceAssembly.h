@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceAssembly.h
- * @brief Compacts the faces and vertices that are alive to triangles and points, in the same order.
+ * @brief Compacts live faces and vertices into triangles and points, in the same order.
  *
  * The result does not depend on the number of threads.
  */
@@ -16,7 +16,7 @@
 
 namespace bonedecimate
 {
-/// The corners(face) of all faces for which isAlive(face).
+/// corners(face) of all faces for which isAlive(face) holds.
 template <typename IsAlive, typename Corners>
 std::vector<Triangle> LiveTriangles(
   std::size_t slots, int threads, const IsAlive& isAlive, const Corners& corners)
@@ -38,12 +38,13 @@ std::vector<Triangle> LiveTriangles(
   return triangles;
 }
 
-/// The vertices that are corners, ascending; replaces the corners by indices into this list.
+/// The vertices that are corners, in ascending order. Replaces the corners by indices into this
+/// list.
 std::vector<Index> NumberVertices(
   std::size_t vertexSlots, std::vector<Triangle>& triangles, int threads);
 
-/// Position of the vertex in the output, mm, rounded; without a rounding copied from the input
-/// bit for bit if it never moved.
+/// Rounded position of the vertex in the output, mm. Without rounding, a vertex that never moved
+/// keeps the bits of the input.
 /// @param local Current position, mm from the local origin.
 Vector3 OutputPosition(const Surface& input, const CleanSurface& clean, VertexId vertex,
   const Vector3& local, const PointRounding& rounding);

@@ -12,7 +12,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// What a half-edge adds to the sum of its part.
+/// The term of a half-edge in the sum of its part.
 std::uint64_t TermOf(Index from, Index to)
 {
   const auto [least, most] = std::minmax(from, to);

@@ -5,10 +5,10 @@
  * @brief Area and volume of the parts of a surface: of its components, or of what its labels
  * enclose.
  *
- * A part is closed if along every edge as many of its triangles run one way as the other. A sum
- * over the half-edges tells: each adds a random number of its edge, or subtracts it where it runs
- * to the lesser point. The sum is 0 if the part is closed, and otherwise with a probability of
- * 2^-64.
+ * A part is closed if as many of its triangles run along every edge in one direction as in the
+ * other. This is decided by a sum over its half-edges: each edge has a random number, which is
+ * added in one direction and subtracted in the other. The sum of a closed part is 0; that of an
+ * open part is 0 with a probability of 2^-64.
  */
 #ifndef BoneDecimate_Core_Mesh_SurfaceParts_h
 #define BoneDecimate_Core_Mesh_SurfaceParts_h
@@ -21,8 +21,8 @@
 
 namespace bonedecimate
 {
-/// The part out of which the normal of a triangle points, and the part into which it points; None:
-/// no part.
+/// The part that the normal of a triangle points out of, and the part that it points into; None: no
+/// part.
 using PartSides = std::array<Index, 2>;
 
 struct SurfaceParts
@@ -37,10 +37,10 @@ SurfaceParts ComponentsAsParts(const Surface& surface);
 struct PartExtent
 {
   std::int64_t Triangles = 0;
-  double Area = 0.0;    ///< mm^2
-  double Volume = 0.0;  ///< mm^3, signed; meaningful if the part is closed.
-  bool IsClosed = true; ///< See above.
-  Vector3 Low, High;    ///< mm, corners of the box along the axes; not set without triangles.
+  double Area = 0.0;   ///< mm^2
+  double Volume = 0.0; ///< mm^3, signed; only meaningful if closed.
+  bool IsClosed = true;
+  Vector3 Low, High; ///< mm, bounding box; not set without triangles.
 };
 
 /// @param points,triangles Corners must be valid.

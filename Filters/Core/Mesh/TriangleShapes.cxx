@@ -16,11 +16,11 @@ namespace bonedecimate
 {
 namespace
 {
-/// Cosines of 10, 20, ... 60 degrees: where the bins of the histogram end.
+/// Cosines of 10, 20, ... 60 degrees, where the bins of the histogram end.
 constexpr std::array<double, 6> EndsOfBins = { 0.984807753012208, 0.9396926207859084,
   0.8660254037844387, 0.766044443118978, 0.6427876096865394, 0.0 };
 
-/// In cosines until all triangles have been seen.
+/// Holds cosines until all triangles have been read.
 struct Shapes
 {
   std::array<std::int64_t, 6> Bins{};
@@ -97,7 +97,7 @@ std::int64_t CountOf(const ShapeStatistics& shapes)
   return count;
 }
 
-/// Each once, the lower end first.
+/// Each edge once, the lower end first.
 std::vector<std::pair<Index, Index>> EdgesOf(const Surface& surface)
 {
   std::vector<std::pair<Index, Index>> edges;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TriangleShapes.h
- * @brief The shapes of all triangles of a surface in figures, by the definitions of vtkMeshQuality.
+ * @brief Figures of the shapes of all triangles of a surface, by the definitions of vtkMeshQuality.
  *
  *     radius ratio   circumradius / (2 inradius): 1 for an equilateral triangle
  *     aspect ratio   longest side / (2 sqrt(3) inradius): 1 for an equilateral triangle
@@ -16,17 +16,17 @@
 
 namespace bonedecimate
 {
-/// Triangles without area count as of angle 0 and are left out of everything else.
+/// Triangles without area have an angle of 0 and are left out of all other figures.
 ShapeStatistics DescribeShapes(const Surface& surface, int threads);
 
 /// Adds the triangles of another surface.
 void AddShapes(const ShapeStatistics& other, ShapeStatistics& sum);
 
-/// The triangles with a smaller angle.
+/// Counts the triangles with a smaller angle.
 AngleFigures FindBelowAngle(const Surface& surface, double degrees);
 
-/// The edges compared with the lengths of the limits.
-/// @param origin mm, that the positions of the limits are relative to.
+/// Compares the edges with the requested lengths.
+/// @param origin mm, the local origin of the limits.
 EdgeFigures FindEdges(const Surface& surface, const ShapeLimits& limits, const Vector3& origin);
 }
 

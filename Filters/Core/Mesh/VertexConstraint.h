@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexConstraint.h
- * @brief What edits may do to a vertex: one value per vertex, and predicates for its meaning.
+ * @brief What edits may do to a vertex: one value per vertex, and predicates.
  *
  *                          may move             may be removed   collapsed onto   ring
  *     Free                 anywhere             yes              yes              closed
@@ -12,8 +12,8 @@
  *     NonManifold          no                   no               no               several fans
  *     Constrained          no                   no               no               closed or open
  *
- * Stationary vertices of a feature curve may be removed with the same edge in all manifold
- * patches (Editor::Try).
+ * Stationary vertices of a feature curve may be removed with the same edge in all manifold patches
+ * (Editor::Try).
  */
 #ifndef BoneDecimate_Core_Mesh_VertexConstraint_h
 #define BoneDecimate_Core_Mesh_VertexConstraint_h
@@ -22,7 +22,7 @@
 
 namespace bonedecimate
 {
-/// In ascending rank, see Outranks.
+/// In ascending rank (Outranks).
 enum class VertexConstraint : std::uint8_t
 {
   Free,               ///< Interior of a manifold patch.
@@ -33,35 +33,35 @@ enum class VertexConstraint : std::uint8_t
   Constrained         ///< Has a tolerance of 0, or is a corner of a face with such a vertex.
 };
 
-/// It never moves, is never removed, and nothing is collapsed onto it. No edit changes a face with
-/// three such corners.
+/// The vertex never moves, is never removed, and nothing is collapsed onto it. No edit changes a
+/// face with three such corners.
 constexpr bool IsConstrained(VertexConstraint constraint)
 {
   return constraint == VertexConstraint::NonManifold || constraint == VertexConstraint::Constrained;
 }
 
-/// It never moves, but vertices may be collapsed onto it.
+/// The vertex never moves, but vertices may be collapsed onto it.
 constexpr bool IsStationary(VertexConstraint constraint)
 {
   return constraint == VertexConstraint::Stationary ||
     constraint == VertexConstraint::StationaryBoundary;
 }
 
-/// Its ring is open; false for constrained vertices, whatever their ring.
+/// The ring of the vertex is open. False for constrained vertices, whatever their ring.
 constexpr bool IsOnBoundary(VertexConstraint constraint)
 {
   return constraint == VertexConstraint::Boundary ||
     constraint == VertexConstraint::StationaryBoundary;
 }
 
-/// It may move anywhere.
+/// The vertex may move anywhere.
 constexpr bool MovesFreely(VertexConstraint constraint)
 {
   return constraint == VertexConstraint::Free;
 }
 
-/// Whether the merged vertex of an edge that may be collapsed takes the position of the first end.
-/// If neither end outranks the other, it moves as both of them may.
+/// Whether the merged vertex of an edge takes the position of the first end. If neither end
+/// outranks the other, the merged vertex may move as they may.
 constexpr bool Outranks(VertexConstraint first, VertexConstraint second)
 {
   return first > second;

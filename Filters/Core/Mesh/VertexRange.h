@@ -18,7 +18,7 @@ struct VertexRange
 {
   Index First = 0;
   Index Last = std::numeric_limits<Index>::max(); ///< One past the end.
-  /// Whether it has all of that many vertices.
+  /// Whether the range contains all of `count` vertices.
   bool HasAll(Index count) const { return this->First <= 0 && this->Last >= count; }
   bool Contains(VertexId v) const
   {
