@@ -9,7 +9,7 @@ namespace bonedecimate
 {
 namespace
 {
-// In the order of the vector kernels, which is not that of Dot.
+// With the order of additions of the vector kernels, which differs from Dot().
 double DotFromLeft(const Vector3& a, const Vector3& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -24,7 +24,8 @@ double SquaredDistanceToSegment(const Vector3& a, const Vector3& d)
   return DotFromLeft(nearest, nearest);
 }
 
-/// Squared distance of the origin to a triangle: over the face, or to the nearest side.
+/// Squared distance of the origin to a triangle: to the plane over the face, or to the nearest
+/// side.
 double SquaredDistanceToTriangle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 n = (b - a).cross(c - a);

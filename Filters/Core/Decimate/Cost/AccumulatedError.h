@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AccumulatedError.h
- * @brief How far a collapse leaves the surface behind, with what earlier collapses left behind,
- * both ways.
+ * @brief The distance between the surfaces before and after a collapse, in both directions, added
+ * to what earlier collapses left.
  *
  *     D = max( Dv + d(v, new), Dw + d(w, new), max(Dv, Dw) + d(x, old) )
  *
- * v and w are the ends of the edge with their accumulated errors Dv and Dw, x is the merged vertex,
- * old the triangles at both ends before the collapse, new those at x after it, d the distance of a
- * point to the nearest of them. D is an estimate along the collapses, not a bound of the distance
- * to the original.
+ *     v, w       ends of the edge, with their accumulated errors Dv and Dw
+ *     x          merged vertex
+ *     old, new   triangles at both ends before the collapse, and those at x after it
+ *     d          distance of a point to the nearest of these triangles
  *
- * This is the scalar reference of Kernels::AccumulateError, which gives the same bits.
+ * D is an estimate along the collapses, not a bound of the distance to the original. This is the
+ * scalar reference of Kernels::AccumulateError, which gives the same bits.
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_AccumulatedError_h
 #define BoneDecimate_Core_Decimate_Cost_AccumulatedError_h
@@ -34,7 +35,7 @@ struct CollapsedEdge
   std::vector<Corners> After;  ///< Triangles at the merged vertex.
 };
 
-/// mm.  @param atStart,atEnd Accumulated errors of both ends, mm.
+/// The accumulated error of the merged vertex, mm. @param atStart,atEnd Those of both ends, mm.
 double AccumulatedError(const CollapsedEdge& edge, double atStart, double atEnd);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CollapseInput.h
- * @brief What a cost of BucketSweep may read of an edge. A cost that needs more adds a member here
- * and fills it in Decimate/Kernels/EdgeEvaluator.cxx.
+ * @brief The data of an edge that a cost of BucketSweep reads. To add a member, fill it in
+ * Decimate/Kernels/EdgeEvaluator.cxx.
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_CollapseInput_h
 #define BoneDecimate_Core_Decimate_Cost_CollapseInput_h
@@ -15,8 +15,8 @@ namespace bonedecimate
 struct CollapseInput
 {
   const EdgeQuadric& Quadric;
-  Float3 Position;        ///< From the middle of the edge, units.
-  float AccumulatedError; ///< The error of either end, the larger, units.
+  Float3 Position;        ///< Relative to the middle of the edge, units.
+  float AccumulatedError; ///< The larger error of both ends, units.
   float Normalization;    ///< CostNormalization().
 };
 }

@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NormalFieldDeviation.h
- * @brief The thesis's costs of edges and vertices.
+ * @brief The costs of edges and vertices of the thesis.
  *
- * For an edge e with twin triangles 1 and 2, areas D1, D2, unit normals n1, n2, and the tolerance
+ * For an edge e with triangles 1 and 2 of areas D1, D2 and unit normals n1, n2, and the tolerance
  * w:
  *
  *     NFD(e)  = (D1 + D2) (1 - w n1.n2)                                     mm^2
  *     Cost(e) = NFD(e) length(e)                                            mm^3
  *     Cost(v) = sum of Cost(e) over the edges at v
- *             + L (sum of Dt - | sum of Dt nt |) over the triangles at v    mm^3
+ *             + L (sum of Dt - | sum of Dt nt |) over the triangles t at v  mm^3
  *
- * The thesis has no L: its second term is mm^2 beside mm^3, and the order then depends on the unit
- * of length. Here L is the mean edge length of the cleaned input, so that costs of a surface scaled
- * by k are k^3 times the costs and the order is the same in millimeters and in meters.
- * A boundary edge has one triangle; its missing twin counts as one of the same area at right
- * angles: NFD = 2 D1.
+ * The thesis has no L: its second term is mm^2 beside mm^3, so its order depends on the unit of
+ * length. Here L is the mean edge length of the cleaned input, so costs scale with the cube of the
+ * unit and the order is the same in millimeters and in meters. A boundary edge has one triangle.
+ * Its missing twin counts as a triangle of the same area at right angles: NFD = 2 D1.
  *
  * M. Hussain, Efficient simplification methods for generating high quality LODs of 3D meshes, 2009:
  * NFD. H. Brandao, BSc thesis, Groningen 2018: the tolerance w and the vertex cost.

@@ -2,31 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SampledErrorCost.h
- * @brief The cost of the last collapses of Balanced and Accurate, and what their flips and moves
- * reduce: how distances in both directions, measured at samples, add up to one error.
+ * @brief The cost of the last collapses of Balanced and Accurate, and the error that their flips
+ * and moves reduce: sampled distances in both directions, added up.
  *
- *     cost(collapse) = error of the triangles it changes after it - error before it
+ *     cost(collapse) = error of the triangles it changes, after it - before it
  *
- *     error = sum over samples   area f(d(sample, its face))  +  far(d, 8)
- *           + sum over vertices  back weight * area of ring / 3  f(d(vertex, original))  +  far(d,
- *             5)
- *           + sum over faces     shape weight * mean area of a face * f(root mean square of the
- *                                samples) / (q + 0.02)^2
- *           + sum over two points on each sharply folded edge  far(d(point, original), 8)
- *             squares of the unit
- *     f(d) = (d / unit)^(3/2)          between the average (1) and the root mean square (2)
- *     far(d, k) = mean area of a face * f(T) * ((d / T)^2 - 1)^2  beyond T = k * root mean square
- *                                                                 of the samples, else 0
+ *     error = sum over samples    area f(d(sample, its face)) + far(d, 8)
+ *           + sum over vertices   back weight * area of ring / 3 * f(d(vertex, original))
+ *                                 + far(d, 5)
+ *           + sum over faces      shape weight * mean area of a face * f(root mean square of the
+ *                                 sampled distances) / (q + 0.02)^2               (ShapePenalty.h)
+ *           + sum over two points on each sharply folded edge    far(d(point, original), 8)
  *
- *     q of ShapePenalty.h: flips, moves and collapses that leave about the same distances go by the
- *       shapes
+ *     f(d) = (d / unit)^(3/2)     between the average (1) and the root mean square (2)
+ *     far(d, k) = mean area of a face * f(T) * ((d / T)^2 - 1)^2 beyond T, else 0
+ *                 T = k * root mean square of the sampled distances
  *
- * f measures typical distances. far measures outliers and is not weighted by area, because the tip
- * of a spur has no area, and neither has a chord across a notch in the rim of a thin plate, whose
- * samples all lie on the plate. The fourth power outweighs the other terms, but only for outliers,
- * so average and root mean square hardly change.
+ * Areas and errors are in squares of the unit of the mesh. f measures typical distances. far
+ * measures outliers and is not weighted by area. The tip of a spur has no area. Neither has a chord
+ * across a notch in the rim of a thin plate, whose samples all lie on the plate. The fourth power
+ * outweighs the other terms only for outliers, so average and root mean square hardly change.
  *
- * A fit of f is a fit of squares with weights w(d) = f'(d) / (2 d) that follow d (P. Holland and R.
+ * Fits minimize squares with weights w(d) = f'(d) / (2 d), which follow d (P. Holland and R.
  * Welsch, Robust regression using iteratively reweighted least-squares, 1977).
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_SampledErrorCost_h
@@ -40,22 +37,23 @@
 
 namespace bonedecimate
 {
-/// Weight of the distance from the current surface to the original: 0 lets spikes grow, 1 is too
-/// stiff.
+/// Weight of the distance from the current surface to the original: 0 lets spikes grow, and 1 is
+/// too stiff.
 constexpr double BackWeight = 0.03;
-/// Stronger in collapses, which cannot be taken back.
+/// The weight in collapses is larger, because later steps cannot undo them.
 constexpr double BackWeightOfCollapse = 0.1;
 /// The fraction of a face's area that each of its corners represents.
 constexpr double CornerFraction = 1.0 / 3.0;
 
-/// A part of the error and what it weighs in a fit of squares.
+/// A part of the error, and its weight in a fit of squares.
 struct Penalty
 {
   double Value = 0.0;  // squares of the unit
   double Weight = 0.0; // of the square, squares of the unit / mm^2
 };
 
-/// The unit is a power of two, so that scaling by powers of two changes no bit.
+/// The function f of the header. The unit is a power of two, so scaling by powers of two changes no
+/// bit.
 class ThreeHalves
 {
 public:
@@ -64,7 +62,7 @@ public:
   {
   }
 
-  /// An area in squares of the unit. @param area mm^2
+  /// Converts mm^2 to squares of the unit.
   double InUnits(double area) const { return area * this->PerSquare; }
 
   /// @param squared The squared distance, mm^2.
@@ -73,7 +71,7 @@ public:
     const double root = std::sqrt(squared * this->PerSquare);
     return root * std::sqrt(root);
   }
-  /// The weight is bounded, because points may already lie on the surface.
+  /// The weight is bounded, because points may lie on the surface.
   /// @param area Squares of the unit.
   Penalty WithWeight(double area, double squared) const
   {
@@ -87,38 +85,38 @@ private:
   double PerSquare; // 1/mm^2
 };
 
-/// What is far from usual.
+/// The function far of the header.
 class FarPenalty
 {
 public:
-  /// @param limit mm  @param weight Squares of the unit.
+  /// @param limit T, mm.  @param weight Squares of the unit.
   FarPenalty(double limit, double weight)
-    : Limit(limit > 0.0 ? limit * limit : Infinity)
-    , PerLimit(1.0 / this->Limit)
-    , Scale(weight)
+    : LimitSquared(limit > 0.0 ? limit * limit : Infinity)
+    , PerLimitSquared(1.0 / this->LimitSquared)
+    , Factor(weight)
   {
   }
 
-  double SquaredLimit() const { return this->Limit; } ///< mm^2
-  bool IsFar(double squared) const { return squared > this->Limit; }
+  double SquaredLimit() const { return this->LimitSquared; } ///< mm^2
+  bool IsFar(double squared) const { return squared > this->LimitSquared; }
   double Of(double squared) const
   {
-    const double beyond = squared * this->PerLimit - 1.0;
-    return this->IsFar(squared) ? this->Scale * beyond * beyond : 0.0;
+    const double beyond = squared * this->PerLimitSquared - 1.0;
+    return this->IsFar(squared) ? this->Factor * beyond * beyond : 0.0;
   }
   Penalty WithWeight(double squared) const
   {
-    const double beyond = std::max(0.0, squared * this->PerLimit - 1.0);
-    return { this->Of(squared), 2.0 * this->Scale * beyond * this->PerLimit };
+    const double beyond = std::max(0.0, squared * this->PerLimitSquared - 1.0);
+    return { this->Of(squared), 2.0 * this->Factor * beyond * this->PerLimitSquared };
   }
 
 private:
-  double Limit;    // mm^2
-  double PerLimit; // 1/mm^2
-  double Scale;    // squares of the unit
+  double LimitSquared;    // mm^2
+  double PerLimitSquared; // 1/mm^2
+  double Factor;          // squares of the unit
 };
 
-/// Both together: areas in squares of the unit, squared distances in mm^2.
+/// The terms of the error. Areas are in squares of the unit, squared distances in mm^2.
 class ErrorPenalty
 {
 public:
@@ -155,7 +153,7 @@ public:
   const FarPenalty& OfFarVertices() const { return this->FarVertex; }
 
 private:
-  /// Times what is usual. Vertices lie near the surface more often than not.
+  /// The factors k of far. Vertices lie near the surface more often than samples.
   static constexpr double FarOfSamples = 8.0;
   static constexpr double FarOfVertices = 5.0;
 

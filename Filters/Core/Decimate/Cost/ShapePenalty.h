@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapePenalty.h
- * @brief What the shape of a triangle adds to its error: of edits that leave about the same
- * distances, the one with the better triangles is made.
+ * @brief The penalty of badly shaped triangles: among edits that leave about the same distances,
+ * the one with the better triangles is chosen.
  *
  *     penalty = weight r^2,   r = 1 / (q + 0.02),   q = 4 sqrt(3) area / sum of squared sides
  *
- * q is 1 for an equilateral triangle and 0 without area. 1 / q is convex in the corners for
- * constant area, and the square is steep where triangles are narrow: 20 times as much for q = 0.2
- * as for q = 1, 3 times as much for 0.55.
+ * q is 1 for an equilateral triangle and 0 without area. For constant area, 1 / q is convex in the
+ * corners. The square is steep for narrow triangles: compared with q = 1, it is 3 times as large
+ * for q = 0.55 and 20 times for q = 0.2.
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_ShapePenalty_h
 #define BoneDecimate_Core_Decimate_Cost_ShapePenalty_h
@@ -24,12 +24,12 @@ namespace bonedecimate
 class ShapePenalty
 {
 public:
-  /// What a corner gains by a step: along Pull, until that is outweighed by Stiffness times the
-  /// step.
+  /// How the penalty changes with a step of a corner: it falls along Pull, and Stiffness times the
+  /// step works against it.
   struct Slope
   {
-    Vector3 Pull;     // half of what the penalty falls by per mm
-    double Stiffness; // half of its second derivative, 1/mm^2 as if the area were constant
+    Vector3 Pull;     // half of the negative gradient, 1/mm
+    double Stiffness; // half of the second derivative for constant area, 1/mm^2
   };
 
   explicit ShapePenalty(double weight)

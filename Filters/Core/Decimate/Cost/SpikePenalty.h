@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SpikePenalty.h
- * @brief The least cost of a collapse that leaves a distance behind: it keeps the tips of thin
- * spikes.
+ * @brief The minimum cost of a collapse that leaves a distance. It keeps the tips of thin spikes.
  *
  *     penalty(D) = k n0 L^2 c / n  D^(3/2)        D of AccumulatedError.h, c of QuadricDeviation.h
- *     k          weight of the mode, 0 where every edit is proved: a bound needs no penalty
+ *     k          weight of the mode; 0 where every edit is proved, because a bound needs no penalty
  *     n0, n      faces before the sweep and now
  *     L          mean edge length before the first edit, units
  *
- * QuadricDeviation weighs distances by the area that moves. The tip of a thin spike has no area:
- * every collapse on the way to it is cheap. So a distance counts as if it moved an area that grows
- * with the mean face, L^2 at first.
+ * QuadricDeviation weighs distances by the area that moves. The tip of a thin spike has no area, so
+ * every collapse on the way to it is cheap. With this penalty, a distance counts as if it moved an
+ * area in proportion to the mean face, which starts at L^2.
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_SpikePenalty_h
 #define BoneDecimate_Core_Decimate_Cost_SpikePenalty_h
@@ -23,13 +22,13 @@
 
 namespace bonedecimate
 {
-/// k n0 L^2 c.  @param length L, units.
+/// The factor k n0 L^2 c. @param length L, units.
 inline double SpikeFactor(double weight, Index facesBefore, double length, float normalization)
 {
   return weight * (facesBefore * length * length * normalization);
 }
 
-/// In the unit of QuadricDeviation().  @param distance D, units.
+/// The penalty in the unit of QuadricDeviation(). @param distance D, units.
 inline double SpikePenalty(double factor, Index faces, double distance)
 {
   return factor / faces * distance * std::sqrt(distance);

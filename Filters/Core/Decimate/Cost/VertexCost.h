@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexCost.h
- * @brief The cost by which VertexQueue orders vertices, and the edges at one of them.
+ * @brief The cost by which VertexQueue orders vertices, and the edges at a vertex.
  */
 #ifndef BoneDecimate_Core_Decimate_Cost_VertexCost_h
 #define BoneDecimate_Core_Decimate_Cost_VertexCost_h

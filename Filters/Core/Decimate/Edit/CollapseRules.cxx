@@ -6,7 +6,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// One turn is short enough; together with those before it would be too many.
+/// Whether any face has turned over from its initial normal. CheckFan limits the turn by a single
+/// collapse only.
 bool IsAnyTurnedOver(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, const Fan& fan)
 {
   for (std::size_t i = 0; i < around.Corners.size(); ++i)
@@ -47,8 +48,8 @@ Rejection CheckTopology(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around
   {
     return Rejection::Fragment; // a single triangle, or two glued together along all edges
   }
-  // Two inside vertices with one staying face each: both faces would become the same triangle, back
-  // to back. That is a tetrahedron, whether it stands alone or hangs on constrained corners.
+  // Two inner vertices with one remaining face each: both faces would become the same triangle,
+  // back to back. This is a tetrahedron, on its own or attached to constrained corners.
   const bool bothInside = !mesh.IsOnBoundary(around.Start) && !mesh.IsOnBoundary(around.End);
   if (bothInside && around.Corners.size() <= 2)
   {

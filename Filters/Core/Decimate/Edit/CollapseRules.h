@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CollapseRules.h
- * @brief The rules of a collapse in every mode, each a function that returns a rejection.
+ * @brief The rules of a collapse in every mode. Each is a function that returns a rejection.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_CollapseRules_h
 #define BoneDecimate_Core_Decimate_Edit_CollapseRules_h
@@ -15,22 +15,21 @@
 
 namespace bonedecimate
 {
-/// Rejects edges with a constrained end, with two stationary ends, and interior edges of which
-/// neither end moves freely: their collapse would pinch the surface or move a vertex that must not
-/// move.
+/// Rejects edges with a constrained end or two stationary ends, and interior edges without an end
+/// that moves freely. Their collapse would pinch the surface or move a vertex that must not move.
 Rejection CheckEnds(const HalfEdgeMesh& mesh, HalfEdgeId edge);
 
-/// Link condition and the least size of fragments.
+/// Checks the link condition and that the fragment keeps enough faces.
 Rejection CheckTopology(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around);
 
-/// Fills the fan's ring from the mesh: everything but the position.
+/// Fills the fan from the mesh, except for the position.
 void FillFan(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan);
 
 /// Rejects faces without area, new slivers, and faces that turn by more than 78 degrees, or by more
-/// than 90 degrees from their original normal (HalfEdgeMesh::IsTurnedOver), so that small rotations
+/// than 90 degrees from their initial normal (HalfEdgeMesh::IsTurnedOver), so that small rotations
 /// cannot accumulate.
-/// @param fan Filled; its position and areas are set here.
-/// @param change Gets its volume.
+/// @param fan Filled. Its position and areas are set here.
+/// @param change Receives its volume.
 Rejection CheckPosition(
   const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Fan& fan, SurfaceChange& change);
 }

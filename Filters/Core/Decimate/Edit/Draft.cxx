@@ -15,19 +15,20 @@ namespace bonedecimate
 {
 namespace
 {
-/// How often the edits of a vertex are undone alone. Each later failure undoes one more of the last
-/// edits around it.
+/// Number of failures of a vertex after which only the rejected edits are undone. Each later
+/// failure also undoes one more of the last edits around it.
 constexpr int FailuresWithoutMore = 4;
 constexpr int MaxFailures = 100; // later failures are not counted
-/// After so many turns the draft is undone as a whole.
+/// Number of turns after which the whole draft is undone.
 constexpr int MaxTurns = 120;
-/// Ratio of the separation by which a draft may move points, so that two moving parts cannot meet.
+/// Fraction of the separation by which a draft may move points, so that two moving parts cannot
+/// meet.
 constexpr double LessThanHalf = 0.49;
-/// Distance within which other parts are searched, in largest errors: both may move by one, and a
+/// Distance within which other parts are searched, in largest errors: both parts may move by one; a
 /// hundredth is for rounding.
 constexpr double ErrorsOfSeparation = 2.01;
 
-/// Whether nothing has been edited.
+/// Whether the mesh has not been edited.
 bool IsUnedited(const HalfEdgeMesh& first, const HalfEdgeMesh& now)
 {
   bool isSame = first.NumberOfFaceSlots() == now.NumberOfFaceSlots();
@@ -63,7 +64,7 @@ Draft::Draft(Editor& editor, int threads)
 }
 
 //------------------------------------------------------------------------------
-/// Where the mesh is not the original, what is near another part does not move at all: it may be
+/// If the mesh is not the original, nothing near another part may move, because the mesh may be
 /// anywhere within the bound.
 ErrorLimits Draft::InitialLimits() const
 {
@@ -100,14 +101,14 @@ void Draft::ExchangeFilters()
     }
   }
   editor.Filters.push_back(this->Journal);
-  editor.PatchWorkspaces.clear(); // which hold data of the filters
+  editor.PatchWorkspaces.clear(); // they hold data of the previous filters
 }
 
 //------------------------------------------------------------------------------
 bool Draft::Prove(const Monitor& monitor)
 {
   Editor& editor = this->MeshEditor;
-  editor.Filters = this->ExactFilters; // the filters of the draft need memory
+  editor.Filters = this->ExactFilters; // frees the memory of the draft's filters
   editor.PatchWorkspaces.clear();
   BulkProof proof(
     *editor.BoundFilter, this->Limits, editor.CurrentMesh, *this->Journal, this->Threads);
@@ -133,7 +134,7 @@ bool Draft::Prove(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// The cheaper checks first: there is less left to check then.
+/// Runs the cheaper checks first, so that less is left to check.
 std::vector<Index> Draft::FindRejectedEdits(BulkProof& proof)
 {
   std::vector<Index> edits =
@@ -260,7 +261,7 @@ void Draft::Finish()
   editor.Filters = this->ExactFilters;
   editor.Total.Rejections = this->Rejections;
   editor.PatchWorkspaces.clear();
-  this->State.reset(); // what follows needs the memory
+  this->State.reset(); // frees memory for what follows
   this->Journal.reset();
   this->Enclosing = {};
   this->Failures = {};

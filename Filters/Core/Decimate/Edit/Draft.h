@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Draft.h
- * @brief Collapses that are tested cheaply while they are made, and proved together.
+ * @brief Collapses that are checked cheaply when they are made, and proved together afterwards.
  *
- *     begin:        DraftFilter in place of the error bound and the intersection guard, and a
- *                   journal; limits by the separation
+ *     begin:   replace error bound and intersection guard by DraftFilter and a journal, with
+ *              limits below half of the separation of parts
  *     edits
- *     Prove:        until nothing is rejected:
- *                       every face and every original is proved, with these limits      (BulkProof)
- *                       no pair of faces intersects or is too near                     (StateCheck)
- *                       closed fragments keep their volume                          (FragmentGuard)
- *                       components lie within the same others as before               (Containment)
- *                       what is rejected is undone, and all edits that depend on it
- *                   after four failures at a vertex, one more of the last edits there each time;
- *                     after too many turns, the whole draft
- *                   coverage, gaps, quadrics and volumes are those of the edits that are left
+ *     Prove, until nothing is rejected:
+ *         every face and every original is proved within these limits        (BulkProof)
+ *         no pair of faces intersects or is too near                         (StateCheck)
+ *         closed fragments keep their volume                                 (FragmentGuard)
+ *         components lie within the same others as before                    (Containment)
+ *         undo what is rejected, and all edits that depend on it
+ *             after four failures at a vertex, one more of the last edits there each time
+ *             after too many turns, the whole draft
+ *     end:     coverage, gaps, quadrics and volumes are set to those of the remaining edits
  *
- * Nothing that the draft estimates enters a proof. The mesh before the draft is proved, so undoing
- * ends. Each edit that is left passed the rules, the fragments' and voxels' filters when it was
- * made, and replaces the same faces as then (EditJournal.h). Why no parts pass each other, though
- * only the last mesh is looked at: Documentation/explanation/error-bound.md.
+ * No estimate of the draft enters a proof. The mesh before the draft is proved, so undoing ends.
+ * Each remaining edit passed the rules and the filters of fragments and voxels when it was made,
+ * and still replaces the same faces (EditJournal.h). Documentation/explanation/error-bound.md
+ * explains why no parts pass through each other, although only the last mesh is checked.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_Draft_h
 #define BoneDecimate_Core_Decimate_Edit_Draft_h
@@ -44,13 +44,13 @@ class BulkProof;
 class Draft
 {
 public:
-  /// Filters of the editor are those of the draft from now on.
+  /// Replaces the filters of the editor by those of the draft.
   Draft(Editor& editor, int threads);
 
-  /// Proves the draft and undoes what is not proved. False if the monitor requested a stop; then
-  /// all of it is undone.
+  /// Proves the draft and undoes what is not proved. False if the monitor requests a stop; then the
+  /// whole draft is undone.
   bool Prove(const Monitor& monitor);
-  /// Undoes all of it.
+  /// Undoes the whole draft.
   void Undo();
 
 private:
@@ -65,15 +65,15 @@ private:
 
   Editor& MeshEditor;
   int Threads;
-  bool StartsFromOriginal; // whether nothing had been edited before
+  bool StartsFromOriginal; // whether the mesh was unedited before
   std::shared_ptr<EditJournal> Journal;
-  ErrorLimits Limits; // of the bound, but below half of the separation
-  // for each component, those that enclose it at first; only with a guard
+  ErrorLimits Limits; // those of the bound, below half of the separation
+  // for each component, those that enclosed it before the draft; only with a guard
   std::vector<std::vector<Index>> Enclosing;
   std::optional<StateCheck> State;    // only with a guard
-  std::vector<std::uint8_t> Failures; // of each vertex, rejected edits
+  std::vector<std::uint8_t> Failures; // number of rejected edits of each vertex
   std::vector<std::shared_ptr<EditFilter>> ExactFilters;
-  // before the draft: its own rejections are not counted
+  // those before the draft, which does not count its own
   std::array<std::int64_t, NumberOfRejections> Rejections;
 };
 }

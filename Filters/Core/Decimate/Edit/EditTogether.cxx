@@ -14,7 +14,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// From the first to the second vertex; None if they have no edge.
+/// The half-edge from the first to the second vertex; None if they have no edge.
 HalfEdgeId FindHalfEdge(const HalfEdgeMesh& mesh, const EdgeFlip& edge)
 {
   HalfEdgeId found;
@@ -32,8 +32,8 @@ PatchBoundaries* Editor::FeatureCurves()
 }
 
 //------------------------------------------------------------------------------
-/// Nothing changes before all patches allow it. Their faces have no corner in common that moves or
-/// is removed, so that each is checked on its own.
+/// Checks the edit in all patches before any of them changes. Their faces have no corner in common
+/// that moves or is removed, so each is checked on its own.
 Rejection Editor::CheckTogether(const std::vector<Edit>& edits)
 {
   std::vector<const EdgeNeighborhood*> around;
@@ -64,7 +64,7 @@ Rejection Editor::CheckTogether(const std::vector<Edit>& edits)
 }
 
 //------------------------------------------------------------------------------
-/// As one edit, with the first workspace.
+/// Runs the filters on all edits as one change, in the first workspace.
 Decision Editor::FilterTogether(const std::vector<Edit>& edits)
 {
   EditWorkspace& first = this->PatchWorkspaces[0];
@@ -127,7 +127,7 @@ Decision Editor::Try(const std::vector<Edit>& edits)
 }
 
 //------------------------------------------------------------------------------
-/// The parts of the edit, without rules.
+/// Applies the parts of the edit without checks.
 void Editor::ApplyTogether(
   const Edit& edit, const NearbyEdits& nearby, const EditWorkspace& workspace)
 {
@@ -143,7 +143,7 @@ void Editor::ApplyTogether(
 }
 
 //------------------------------------------------------------------------------
-/// One after the other; the faces are saved and added to the old ones.
+/// Makes the flips one after the other. Saves their faces and adds them to the old ones.
 Decision Editor::TryFlips(
   const std::vector<EdgeFlip>& flips, std::vector<Index>& oldFaces, HalfEdgeMesh::Saved& saved)
 {
@@ -184,7 +184,7 @@ void Editor::SaveOnce(FaceId face, std::vector<Index>& oldFaces, HalfEdgeMesh::S
 }
 
 //------------------------------------------------------------------------------
-/// Makes the edit, reads the new faces and undoes it.
+/// Fills the change: makes the edit, reads the new faces, and undoes the edit.
 Decision Editor::FillTogether(const Edit& edit, const NearbyEdits& nearby, EditWorkspace& workspace)
 {
   SurfaceChange& change = workspace.Change;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EditTotals.h
- * @brief What an editor has done so far.
+ * @brief Counts of what an editor has done.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_EditTotals_h
 #define BoneDecimate_Core_Decimate_Edit_EditTotals_h
@@ -12,14 +12,14 @@
 
 namespace bonedecimate
 {
-/// As the report has them, and more. Rejections are those of collapses alone.
+/// The figures of the report, and more. Rejections are those of collapses alone.
 struct EditTotals : EditFigures
 {
   std::int64_t Splits = 0;
-  /// Vertices that are constrained because of their own tolerance; duplicates count once.
+  /// Vertices constrained by their tolerance. All duplicates of a point count once.
   Index ConstrainedVertices = 0;
 
-  /// Whether a collapse was rejected because it could not be proved to keep the error bound.
+  /// Whether a collapse was rejected because the error bound could not be proved.
   bool MetErrorBound() const
   {
     return this->Rejections[static_cast<std::size_t>(Rejection::ErrorBound)] > 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EditWorkspace.h
- * @brief What one worker needs to change its part of a mesh. Every worker has its own.
+ * @brief The data that a worker needs to check and apply edits. Every worker has its own.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_EditWorkspace_h
 #define BoneDecimate_Core_Decimate_Edit_EditWorkspace_h
@@ -17,11 +17,11 @@
 
 namespace bonedecimate
 {
-/// Memory for the arrays of a fan; grows with the largest ring met and stays.
+/// Memory for the arrays of a fan. It grows to the largest fan.
 class FanStorage
 {
 public:
-  /// The fan, with capacity for that many faces and a few more lanes.
+  /// The fan, with capacity for that many faces and spare lanes.
   Fan& Reserve(int faces);
   Fan& Current() { return this->Arrays; }
 
@@ -33,12 +33,11 @@ private:
 
 struct EditWorkspace
 {
-  EdgeNeighborhood
-    Neighborhood;       ///< Surroundings of the edge gathered last; Edge is None if rejected.
-  FanStorage FanArrays; ///< The fan of the edge gathered last.
-  SurfaceChange Change; ///< The change that was checked last, and which worker proposes it.
+  EdgeNeighborhood Neighborhood; ///< That of the edge gathered last; Edge is None if rejected.
+  FanStorage FanArrays;          ///< The fan of the edge gathered last.
+  SurfaceChange Change;          ///< The change checked last, and the worker that proposes it.
   Tally Counts;
-  /// Pending data of each filter; made for the first edit.
+  /// Pending data of each filter; created for the first edit.
   std::vector<std::shared_ptr<EditFilter::Pending>> Pending;
 };
 }

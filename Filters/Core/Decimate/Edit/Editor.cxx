@@ -77,9 +77,10 @@ Editor::Editor(HalfEdgeMesh mesh, const CleanSurface& clean, const EditorSetting
 Editor::~Editor() = default;
 
 //------------------------------------------------------------------------------
-/// In order: an edit is rejected by the first one. What is checked quickly or rejects most comes
-/// first, voxels before an error bound that allows large edits, and the recorder of accepted edits
-/// last. Filters read the mesh before vertices are constrained by tolerances.
+/// The order matters, because the first filter that rejects an edit ends its check. Quick filters
+/// and those that reject most come first, voxels come before an error bound that allows large
+/// edits, and the recorder of accepted edits is last. Filters read the mesh before vertices are
+/// constrained by tolerances.
 void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
 {
   const bool isAborted = monitor && !monitor(0.0);
@@ -216,8 +217,7 @@ Index Editor::ConstrainVertices(
 }
 
 //------------------------------------------------------------------------------
-/// Adds the corners of faces that may be what a triangle of the reference is near to, although this
-/// was not proved.
+/// Also constrains the corners of faces that may be near an unproved triangle of the reference.
 /// @param constrained For each vertex, whether it is constrained; empty: none is.
 std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
 {
@@ -253,7 +253,7 @@ std::vector<char> Editor::NearUnproved(std::vector<char> constrained) const
 }
 
 //------------------------------------------------------------------------------
-/// Lists in a tally keep their memory.
+/// The lists of a tally keep their memory.
 void Editor::Settle(Tally* tallies, std::size_t count)
 {
   for (const std::shared_ptr<EditFilter>& filter : this->Filters)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// How an Editor makes an edit that was accepted, and undoes collapses of a draft.
+// How an Editor applies an accepted edit, and undoes collapses of a draft.
 #include "Draft.h"
 #include "Editor.h"
 #include "Geometry/TriangleGeometry.h"
@@ -67,7 +67,7 @@ void Editor::MakeCollapse(const Edit& edit, EditWorkspace& workspace)
 }
 
 //------------------------------------------------------------------------------
-/// Changes the mesh at the edge that was gathered last.
+/// Collapses the edge that was gathered last in the mesh.
 void Editor::CollapseEdge(const Edit& edit, EditWorkspace& workspace)
 {
   const Fan& fan = workspace.FanArrays.Current();
@@ -118,7 +118,7 @@ void Editor::StoreInitialNormals(const std::vector<Index>& faces)
 }
 
 //------------------------------------------------------------------------------
-/// Commits the edit that all filters accepted and that has been applied to the mesh.
+/// Commits the edit, which all filters accepted and the mesh contains.
 void Editor::Commit(EditWorkspace& workspace)
 {
   for (std::size_t i = 0; i < this->Filters.size(); ++i)
@@ -142,7 +142,7 @@ bool Editor::PrepareSplits()
 }
 
 //------------------------------------------------------------------------------
-/// Chooses the ids of what is made, near those at the edge. False if there are not enough.
+/// Chooses ids for the new vertex and faces, near those at the edge. False if there are not enough.
 bool Editor::PrepareSplit(Edit& edit)
 {
   assert(this->FreeVertexIds);
@@ -194,7 +194,7 @@ void Editor::MakeSplit(const Edit& edit, EditWorkspace& workspace)
 }
 
 //------------------------------------------------------------------------------
-/// Nothing that is left depends on it.
+/// Requires that no remaining edit depends on this one.
 void Editor::Undo(EditJournal& journal, Index edit)
 {
   const JournalEntry& entry = journal.Entry(edit);

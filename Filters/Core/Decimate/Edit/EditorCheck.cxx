@@ -67,8 +67,8 @@ Decision Editor::Check(const Edit& edit, EditWorkspace& workspace) const
 }
 
 //------------------------------------------------------------------------------
-/// With the position where the point will be when it has been written: only then the error bound
-/// can be proved.
+/// Rounds the position as it will be written, because the error bound is proved for written
+/// positions.
 SurfaceChange& Editor::Propose(const Edit& edit, EditWorkspace& workspace) const
 {
   SurfaceChange& change = workspace.Change;

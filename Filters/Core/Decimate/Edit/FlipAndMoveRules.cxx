@@ -44,8 +44,7 @@ Rejection RejectionOfConstrained(VertexConstraint kind)
 }
 
 /// The rules of a flip that depend on positions.
-/// @param isTurnedOver Whether a new face, the first or the second, turns too far from what it was
-/// at first.
+/// @param isTurnedOver Whether a new face, 0 or 1, has turned over from its initial normal.
 template <typename IsTurnedOver>
 Rejection CheckShapesOfFlip(const std::array<Vector3, 4>& corners, const IsTurnedOver& isTurnedOver)
 {

@@ -29,15 +29,15 @@ bool HasDuplicates(const HalfEdgeMesh& mesh, VertexId v)
   return mesh.NextDuplicate(v) != v;
 }
 
-/// Whether the vertex has duplicates, one of them out of range. Only their rings are read here.
+/// Whether the vertex has duplicates, one of them out of range. The rules read the rings of such
+/// vertices.
 bool IsOutOfRange(const HalfEdgeMesh& mesh, VertexId v, VertexRange range)
 {
   return HasDuplicates(mesh, v) &&
     IsAnyDuplicate(mesh, v, [&](Index duplicate) { return !range.Contains(duplicate); });
 }
 
-/// Whether an edge leads from a duplicate of a to a duplicate of b, or both are duplicates of one
-/// original vertex.
+/// Whether an edge connects duplicates of a and b, or both are duplicates of one original vertex.
 bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
 {
   const VertexId original = mesh.OriginalVertex(b);
@@ -45,7 +45,7 @@ bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
     IsAnyDuplicate(mesh, a,
       [&](Index duplicate)
       {
-        // its ring cannot be walked
+        // its ring cannot be traversed
         bool joined = mesh.Constraint(duplicate) == VertexConstraint::NonManifold;
         for (HalfEdgeId h = joined ? HalfEdgeId() : mesh.Outgoing(duplicate), first = h;
              h != None && !joined;)
@@ -59,7 +59,7 @@ bool AreJoined(const HalfEdgeMesh& mesh, Index a, Index b)
       });
 }
 
-/// Whether there is one face alone at it.
+/// Whether the vertex has a single face.
 bool IsEar(const HalfEdgeMesh& mesh, VertexId v)
 {
   int edges = 0;
@@ -67,17 +67,17 @@ bool IsEar(const HalfEdgeMesh& mesh, VertexId v)
   return edges == 2;
 }
 
-/// Whether an end is stationary and the only face at it is removed: another of its open lines would
-/// be left without the edge that it has there, and without what that edge proves.
+/// Whether the collapse removes the only face at a stationary end. Another open curve at this end
+/// would lose its edge, and what this edge proves.
 bool LosesEar(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around)
 {
   const auto isEar = [&](VertexId v) { return mesh.IsStationary(v) && IsEar(mesh, v); };
   return isEar(around.Start) || isEar(around.End);
 }
 
-/// The merged vertex gets the edges of both ends: whether any of those of one is there already,
-/// between other duplicates or from the other end to another duplicate.
-/// @param exempt An original vertex to which there is one that is removed; None: none.
+/// Whether the merged vertex would connect two patches. It gets the edges of both ends. None of
+/// them may exist already between other duplicates, or from the other end to another duplicate.
+/// @param exempt An original vertex to which such an edge is removed; None: there is none.
 bool JoinsPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, Index exempt)
 {
   const auto endAt = [&](std::size_t i)
@@ -127,12 +127,12 @@ Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, 
 }
 
 //------------------------------------------------------------------------------
-/// A single face at the removed vertex, with two edges of the curve, is removed with it: its third
+/// A single face at the removed vertex has two edges of the curve and is removed with it. Its third
 /// edge joins the curve.
 Rejection CheckPatchBoundary(
   const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, VertexId gone)
 {
-  VertexId third; // the original vertex at the end of such an edge
+  VertexId third; // the original vertex at the end of this third edge
   for (const EdgeNeighborhood* around : patches)
   {
     const bool startGoes = mesh.OriginalVertex(around->Start) == gone;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PatchRules.h
- * @brief The rules of edits where manifold patches meet: none joins two patches along an edge that
- * they did not have in common, or removes the last face at a stationary end of open lines.
+ * @brief The rules of edits where manifold patches meet. No edit joins two patches along an edge
+ * that they did not have in common, or removes the last face at a stationary end of open curves.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_PatchRules_h
 #define BoneDecimate_Core_Decimate_Edit_PatchRules_h
@@ -19,7 +19,7 @@ Decision CheckPatches(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, 
 
 /// Checks the collapse of an edge of a feature curve in all patches at it.
 /// @param patches The neighborhood of the edge in each patch.
-/// @param gone The original vertex that is removed.
+/// @param gone The original vertex to remove.
 Rejection CheckPatchBoundary(
   const HalfEdgeMesh& mesh, const std::vector<const EdgeNeighborhood*>& patches, VertexId gone);
 

@@ -9,7 +9,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// A quadric in the making, in double.
+/// A sum of quadrics in double precision.
 class Sum
 {
 public:
@@ -37,7 +37,7 @@ public:
     this->M[5] += squared;
   }
 
-  /// Adds `sign` times this to a quadric.
+  /// Adds `sign` times this sum to a quadric.
   void AddTo(RingQuadric& quadric, double sign) const
   {
     const double factor = sign * this->PerArea;
@@ -115,7 +115,7 @@ private:
 
   const HalfEdgeMesh& Mesh;
   const Kernels& KernelSet = BestKernels();
-  std::vector<Index> Ring; // the first once more at the end if it closes
+  std::vector<Index> Ring; // closed rings repeat the first vertex at the end
   FanStorage Storage;
 };
 

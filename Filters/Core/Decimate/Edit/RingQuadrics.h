@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RingQuadrics.h
- * @brief Keeps the quadrics of the vertex records equal to the sums over the triangles as they are
- * now.
+ * @brief Keeps the quadrics of the vertex records equal to the sums over the current triangles.
  *
- *     M_v = sum of 2 A n n^T,  G_v = sum of 2 A n           over the triangles at v, squares of the
- *                                                           mesh's unit
- *     M_v += 2 (|b|^2 I - b b^T)                            for each boundary edge b at v
+ *     M_v = sum of 2 A n n^T,  G_v = sum of 2 A n    over the triangles at v, squares of the unit
+ *     M_v += 2 (|b|^2 I - b b^T)                     for each boundary edge b at v
  *
- * After a collapse only the difference is added, so that it costs the ring and not the rings of the
- * ring.
+ * A collapse only adds the differences at its ring.
  */
 #ifndef BoneDecimate_Core_Decimate_Edit_RingQuadrics_h
 #define BoneDecimate_Core_Decimate_Edit_RingQuadrics_h
@@ -20,12 +17,12 @@
 
 namespace bonedecimate
 {
-/// All of them afresh. Constrained vertices get none: their edges are never collapsed.
+/// Computes all quadrics, except those of constrained vertices, whose edges are never collapsed.
 void SumRingQuadrics(HalfEdgeMesh& mesh, int threads);
 
 /**
- * After the collapse of what is in `around` into `keep`.
- * @param origin Where Start was before, mm.
+ * Updates the quadrics after the collapse of the edge of `around` into `keep`.
+ * @param origin Position of Start before the collapse, mm.
  * @param fan As CheckFan left it.
  */
 void ExchangeRingQuadrics(HalfEdgeMesh& mesh, const EdgeNeighborhood& around, VertexId keep,

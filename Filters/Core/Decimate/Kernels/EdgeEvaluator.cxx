@@ -23,7 +23,7 @@ void EvaluateOne(
   const float cost =
     policies.Cost({ quadric, position, batch.AccumulatedErrors[lane], batch.CostFactor });
   const Float3 move = quadric.Half + position;
-  // A cost that is not a number counts as never.
+  // A NaN counts as Never.
   results.Costs[lane] = freedom != Freedom::Nowhere && cost < Never ? cost : Never;
   results.Moves[0][lane] = move.X;
   results.Moves[1][lane] = move.Y;

@@ -3,7 +3,7 @@
 /**
  * @file EdgeEvaluator.h
  * @brief Positions and costs of up to eight edges by the policies of a sweep: by a vector kernel if
- * there is one for them, otherwise one edge after the other.
+ * there is one for these policies, otherwise one edge after the other.
  */
 #ifndef BoneDecimate_Core_Decimate_Kernels_EdgeEvaluator_h
 #define BoneDecimate_Core_Decimate_Kernels_EdgeEvaluator_h

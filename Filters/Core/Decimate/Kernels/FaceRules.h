@@ -18,14 +18,14 @@ constexpr double MinCosine = 0.2;
 /// equilateral.
 constexpr double QualityOfEquilateral = 6.928203230275509; // 4 sqrt(3)
 
-/// Below these limits no face may become worse than before. The limit of collapses is low: 0.05
-/// would cost 6 to 9 % of accuracy where few triangles remain. Flips and moves, which are many and
-/// come last, lose nothing by a higher limit.
+/// Below these limits, no face may become worse. The limit for collapses is low: 0.05 would cost 6
+/// to 9 % of accuracy where few triangles remain. Flips and moves are many and come last, so they
+/// lose nothing by a higher limit.
 constexpr double MinQualityOfCollapse = 0.005;
 constexpr double MinQualityOfSmallEdit = 0.02;
-/// What a collapse leaves of the quality of a face that has not become worse. Parallel needles, as
-/// on the wall of a fine cylinder, lose the square of a small angle when one of their ends moves
-/// across.
+/// Ratio of the new to the old quality above which a face has not become worse by a collapse.
+/// Parallel needles, as on the wall of a fine cylinder, lose the square of a small angle when one
+/// of their ends moves across.
 constexpr double MinRatioOfQuality = 0.99999;
 }
 

@@ -28,7 +28,7 @@ inline Vectors<Doubles> All(const double (&v)[3])
   const Doubles zero = {};
   return { zero + v[0], zero + v[1], zero + v[2] };
 }
-/// Lanes that hold a face of the fan.
+/// Marks the lanes that hold a face of the fan.
 inline DoubleMask IsFace(int at, int faces)
 {
   const DoubleMask lane = { 0, 1, 2, 3 };

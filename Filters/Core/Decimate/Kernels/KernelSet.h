@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file KernelSet.h
- * @brief The kernels themselves; compiled once for each kind of processor, see Kernels.h.
+ * @brief The kernels. This file is compiled once for each kind of processor (Kernels.h).
  *
- *     EvaluateEdges    Decimate/Placement/EdgeQuadric.h, Decimate/Placement/VolumePreserving.h and
- *                      Decimate/Cost/QuadricDeviation.h, eight edges at a time
- *     AccumulateError      Decimate/Cost/AccumulatedError.h, four triangles at a time
+ *     EvaluateEdges      EdgeQuadric.h, VolumePreserving.h, QuadricDeviation.h; eight edges
+ *     AccumulateError    AccumulatedError.h; four triangles
  *
- * Those files have the formulas, their sources and a scalar reference, whose bits every set of
+ * These files have the formulas, their sources and a scalar reference, whose bits every set of
  * kernels gives.
  */
 #include "Decimate/Cost/QuadricDeviation.h"
@@ -30,7 +29,7 @@ namespace
 /// The records of eight edges, one to a lane.
 struct Ends
 {
-  Vectors<Floats> Half; // from First to Other, half of it, units
+  Vectors<Floats> Half; // half of the vector from First to Other, units
   Symmetric<Floats> M;
   Vectors<Floats> G;
 };
@@ -89,7 +88,7 @@ struct EdgeSystem
   Floats D, Trace;
 };
 
-/// The position of least Q that preserves the volume, relative to the middle.
+/// The position relative to the middle that minimizes Q and preserves the volume.
 inline Vectors<Floats> PositionInSpace(const EdgeSystem& s, Floats halfSquared)
 {
   const Floats ridge = s.Trace * (QuadricRidge / 3.0F);

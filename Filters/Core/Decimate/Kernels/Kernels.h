@@ -4,8 +4,8 @@
  * @file Kernels.h
  * @brief Vectorized inner loops, eight or four lanes wide, one set for each kind of processor.
  *
- * All sets give the same bits. The best one for this processor is used unless another is selected.
- * KernelSet.h, which is compiled once for each set, names the scalar reference of each kernel.
+ * All sets give the same bits. The best one for this processor is used unless another one is
+ * selected. KernelSet.h names the scalar reference of each kernel.
  */
 #ifndef BoneDecimate_Core_Decimate_Kernels_Kernels_h
 #define BoneDecimate_Core_Decimate_Kernels_Kernels_h
@@ -18,8 +18,8 @@
 
 namespace bonedecimate
 {
-/// Edges from one vertex to up to eight others. Plain arrays: kernels must not use inline functions
-/// of libraries, which would be compiled for one processor and linked for all.
+/// Edges from one vertex to up to eight others. The arrays are plain, because kernels must not use
+/// inline functions of libraries: these would be compiled for one processor and linked for all.
 struct EdgeBatch
 {
   static constexpr int Size = 8;
@@ -29,13 +29,13 @@ struct EdgeBatch
   float AccumulatedErrors[Size] = {}; ///< The larger accumulated error of both ends, units.
   int Count = 0;
   double PerUnit = 1.0;   ///< 1 / unit, 1/mm
-  float CostFactor = 1.0; ///< Makes costs independent of how the unit was rounded.
+  float CostFactor = 1.0; ///< CostNormalization() of Decimate/Cost/QuadricDeviation.h.
 };
 
 struct EdgeResults
 {
-  float Costs[EdgeBatch::Size];    ///< Infinite: never.
-  float MinCost;                   ///< Smallest of the costs.
+  float Costs[EdgeBatch::Size];    ///< Infinite: not collapsed.
+  float MinCost;                   ///< Smallest cost.
   float Moves[3][EdgeBatch::Size]; ///< From First, units.
 };
 
@@ -45,11 +45,11 @@ struct Fan
 {
   /// Coordinates of Ring[0 .. Faces]; the first is repeated at the end if the ring closes.
   double* Ring[3] = {};
-  std::int64_t* AtEnd = {}; ///< -1 if the face is at End before the collapse, 0 if at Start.
+  std::int64_t* AtEnd = {}; ///< -1 for a face at End before the collapse, 0 for one at Start.
   double* OldArea[3] = {};  ///< Twice the area vectors before, mm^2, filled by CheckFan.
   double* NewArea[3] = {};  ///< Twice the area vectors after, mm^2, filled by CheckFan.
   double End[3] = {};
-  double Apexes[3][4] = {}; ///< Apexes of the removed faces; four lanes of one or the other.
+  double Apexes[3][4] = {}; ///< Apexes of the removed faces, repeated to four lanes.
   double Position[3] = {};  ///< Position of the merged vertex.
   int Faces = 0;
 };
@@ -77,29 +77,29 @@ struct Kernels
   const char* Name;
   void (*EvaluateEdges)(const EdgeBatch& batch, EdgeResults& results);
   void (*CheckFan)(Fan& fan, FanValidity& validity);
-  /// The accumulated error after the collapse, mm: the largest distance of either end to the new
-  /// fan, plus that accumulated at it, or of the new position to the old fan. Needs no other kernel
-  /// first.
+  /// The accumulated error after the collapse, mm: the formula of Decimate/Cost/AccumulatedError.h.
+  /// Needs no other kernel first.
   double (*AccumulateError)(const Fan& fan, double atStart, double atEnd);
-  /// The quadric of a vertex at the origin.  @param fan Only Ring is read.  @param perArea 1/mm^2
+  /// The quadric of a vertex at the origin. @param fan Only Ring is read.  @param perArea 1/mm^2
   RingQuadric (*SumPlanes)(const Fan& fan, double perArea);
   /// Adds new minus old planes to the quadrics of the ring, and returns the sum of the new ones.
   /// @param ring The vertices of the fan's ring; fewer by one than Faces + 1 if it closes.
   /// @param perArea 1/mm^2
   RingQuadric (*ExchangePlanes)(
     const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea);
-  /// Squared distances to points of the triangles that are nearest but for rounding, mm^2: too
-  /// small by at most the rounding of one subtraction.  @param squared Size for each batch.
+  /// Squared distances to the triangles, mm^2: to points that are nearest up to rounding. They are
+  /// too small by the rounding of one subtraction at most.
+  /// @param squared Size values per batch.
   void (*ReachTriangles)(
     const TriangleBatch* batches, int count, const double* point, double* squared);
 };
 
-/// The best set for this processor, unless another one is selected.
+/// The selected set, or the best one for this processor.
 const Kernels& BestKernels();
 /// Selects a set, for tests and benchmarks; must not be called during a run. nullptr: the best set.
 void ChooseKernels(const Kernels* kernels);
-/// All sets for this processor, the default last: AVX-512 gains nothing over AVX2 at eight lanes,
-/// and plain loops are faster than vector types wider than the registers of the processor.
+/// All sets for this processor, the best last. AVX-512 gains nothing over AVX2 at eight lanes, and
+/// plain loops are faster than vector types wider than the registers of the processor.
 const std::vector<const Kernels*>& AvailableKernels();
 }
 

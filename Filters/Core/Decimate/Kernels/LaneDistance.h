@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LaneDistance.h
- * @brief Distances of the origin to four segments or triangles at once; in an anonymous namespace
- * like Lanes.h.
+ * @brief Distances of the origin to four segments or triangles at once; in an anonymous namespace,
+ * see Lanes.h.
  */
 #ifndef BoneDecimate_Core_Decimate_Kernels_LaneDistance_h
 #define BoneDecimate_Core_Decimate_Kernels_LaneDistance_h
@@ -14,7 +14,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Squared distance to a segment from `a` along `d`, both relative to the point.
+/// Squared distances to segments from `a` along `d`.
 inline Doubles SquaredDistanceToSegment(const Vectors<Doubles>& a, const Vectors<Doubles>& d)
 {
   const Doubles zero = {};
@@ -25,7 +25,7 @@ inline Doubles SquaredDistanceToSegment(const Vectors<Doubles>& a, const Vectors
   return nearest.Dot(nearest);
 }
 
-/// Squared distance of the origin to triangles a, b, c: to the face, or to the nearest side.
+/// Squared distances to triangles a, b, c: to the plane over the face, or to the nearest side.
 inline Doubles SquaredDistanceToTriangle(
   const Vectors<Doubles>& a, const Vectors<Doubles>& b, const Vectors<Doubles>& c)
 {

@@ -4,9 +4,9 @@
  * @file Lanes.h
  * @brief Vectors of eight floats or four doubles, with the same bits on every processor.
  *
- * Only + - * / sqrt and comparisons, which IEEE 754 defines to the last bit; nothing is fused
- * (-ffp-contract=off). Everything is in an anonymous namespace: each including file is compiled for
- * another processor, and the linker must not merge their functions.
+ * The operations are + - * / sqrt and comparisons, which IEEE 754 defines to the last bit; none are
+ * fused (-ffp-contract=off). Everything is in an anonymous namespace: each including file is
+ * compiled for another processor, and the linker must not merge their functions.
  */
 #ifndef BoneDecimate_Core_Decimate_Kernels_Lanes_h
 #define BoneDecimate_Core_Decimate_Kernels_Lanes_h

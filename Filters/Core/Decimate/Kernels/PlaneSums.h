@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaneSums.h
- * @brief A part of KernelSet.h: quadrics of the planes of a fan, computed anew or updated after a
- * collapse.
+ * @brief A part of KernelSet.h: the quadrics of the planes of a fan, computed anew or updated after
+ * a collapse.
  */
 #ifndef BoneDecimate_Core_Decimate_Kernels_PlaneSums_h
 #define BoneDecimate_Core_Decimate_Kernels_PlaneSums_h
@@ -20,7 +20,7 @@ inline const float* QuadricOf(const VertexRecord* record)
   return reinterpret_cast<const float*>(&record->Quadric); // M, then G
 }
 
-/// Adds sign * (2 A n n^T, 2 A n) of four faces to nine sums.
+/// Adds sign * (2 A n n^T, 2 A n) of four faces to nine sums, a lane per face.
 inline void AddPlanes(const Vectors<Doubles>& n, Doubles sign, Doubles (&sums)[9])
 {
   const Doubles length = Root(n.Dot(n));
@@ -60,7 +60,7 @@ RingQuadric SumPlanes(const Fan& fan, double perArea)
   return SumOfLanes(sums);
 }
 
-/// The change of the quadrics by four faces, a row for each face: eight numbers and the ninth.
+/// The changes of the quadrics by four faces. A row has eight of the nine numbers of a face.
 struct Changes
 {
   Floats Eight[NumberOfDoubles];
@@ -99,7 +99,8 @@ inline void StoreQuadric(const NineFloats& quadric, VertexRecord& record)
   to[8] = quadric.Ninth;
 }
 
-/// Adds to each vertex of the ring the change of the previous face, then that of the next face.
+/// Adds the changes of both faces at each vertex of the ring to its quadric, first that of the
+/// previous face.
 RingQuadric ExchangePlanes(
   const Fan& fan, VertexRecord* records, const Index* ring, bool closes, double perArea)
 {

@@ -4,8 +4,8 @@
  * @file ReachKernel.h
  * @brief A part of KernelSet.h: distances of a point to four triangles at once.
  *
- * Finds the weights of the nearest point, inside or on a side, and measures the distance to the
- * point with these weights: whatever their rounding error, it lies on the triangle.
+ * Computes the weights of the nearest point, inside or on a side, and measures the distance to the
+ * point with these weights. Whatever their rounding error, that point lies on the triangle.
  */
 #ifndef BoneDecimate_Core_Decimate_Kernels_ReachKernel_h
 #define BoneDecimate_Core_Decimate_Kernels_ReachKernel_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AlternatePositions.h
- * @brief Where a merged vertex may go if its best position cannot be proved, in the order in which
- * they are tried.
+ * @brief Positions to try for a merged vertex if the best position cannot be proved, in this order.
  *
  *     m = (v + w) / 2         the middle of the edge from v to w
  *     x                       the best position (VolumePreserving.h)
@@ -24,7 +23,7 @@ constexpr int MaximumPositions = 13;
 struct AlternatePosition
 {
   double TowardsBest;  ///< a
-  double TowardsStart; ///< b; -1 is the other end of the edge.
+  double TowardsStart; ///< b; -1: the other end of the edge.
 
   Vector3 Of(const Vector3& best, const Vector3& start, const Vector3& end) const
   {
@@ -33,7 +32,7 @@ struct AlternatePosition
   }
 };
 
-/// Ordered by what they gain for what they cost: the middle and the ends are rejected early.
+/// Ordered by gain per cost: the middle and the ends are rejected early.
 constexpr std::array<AlternatePosition, MaximumPositions - 1> AlternatePositions = { { { 0.0, 0.0 },
   { 0.0, 1.0 }, { 0.0, -1.0 }, { 1.0, 0.3 }, { 1.0, -0.3 }, { 0.5, 0.0 }, { 1.5, 0.0 },
   { 2.0, 0.0 }, { 0.5, 0.3 }, { 0.5, -0.3 }, { 1.5, 0.3 }, { 1.5, -0.3 } } };

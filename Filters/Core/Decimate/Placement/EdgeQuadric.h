@@ -10,18 +10,19 @@
  *
  *     Mv = sum of 2 A n n^T,   gv = sum of 2 A n
  *
- * and coordinates about the middle, with e = (w - v) / 2:
+ * and coordinates relative to the middle, with e = (w - v) / 2:
  *
  *     M = Mv + Mw      r = (Mw - Mv) e      g = gv + gw      d = (gw - gv) . e
- *     Q(x) = x.Mx - 2 r.x + e.Me    twice the area times the squared distance to the planes, summed
- *     g.x = d                       the plane on which the volume under both rings stays what it is
+ *     Q(x) = x.Mx - 2 r.x + e.Me    sum over the planes of 2 A times the squared distance
+ *     g.x = d                       the plane on which the volume under both rings is preserved
  *
- * All planes of a ring pass through its vertex, so that nine numbers hold it. Lengths are in the
- * mesh's unit. Single precision, every sum from left to right: the kernels give the same bits.
+ * All planes of a ring pass through its vertex, so nine numbers suffice. Lengths are in the unit of
+ * the mesh. Everything is in single precision and added from left to right, so the kernels give the
+ * same bits.
  *
  * M. Garland, P. Heckbert, Surface simplification using quadric error metrics, 1997: the quadric.
- * P. Lindstrom, G. Turk, Fast and memory efficient polygonal simplification, 1998: of the current
- * triangles, not accumulated.
+ * P. Lindstrom, G. Turk, Fast and memory efficient polygonal simplification, 1998: from the current
+ * triangles instead of accumulated.
  */
 #ifndef BoneDecimate_Core_Decimate_Placement_EdgeQuadric_h
 #define BoneDecimate_Core_Decimate_Placement_EdgeQuadric_h
@@ -61,14 +62,14 @@ struct EdgeQuadric
   Float3 G;          ///< Squares of the unit.
   float D;           ///< Cubes of the unit.
 
-  /// Q, units to the power of 4; rounding may make it negative.
+  /// Q(x), units to the power of 4. Rounding may make it negative.
   float At(const Float3& x) const
   {
     return x.Dot(this->M * x) - 2.0F * this->R.Dot(x) + this->Half.Dot(this->M * this->Half);
   }
 };
 
-/// @param perUnit 1 / unit, 1/mm.
+/// The quadric from the records of both ends. @param perUnit 1 / unit, 1/mm.
 EdgeQuadric QuadricOfEdge(const VertexRecord& first, const VertexRecord& second, double perUnit);
 }
 

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Freedom.h
- * @brief The boundary rule of the quadric placement: where the merged vertex of an edge may go.
+ * @brief Where the merged vertex of an edge may go: the boundary rule of the quadric placement.
  *
- *     both ends free                            anywhere                      Space
- *     a boundary edge                           on the edge                   Edge
- *     one end constrained more than the other   onto that end                 First, Second
- *     an inside edge between boundary vertices, or two ends that stay: the edge is not collapsed
- *       Nowhere
+ *     both ends free                                      anywhere           Space
+ *     a boundary edge                                     on the edge        Edge
+ *     one end outranks the other                          onto that end      First, Second
+ *     an interior edge between boundary vertices,
+ *     or two stationary ends                              not collapsed      Nowhere
  *
- * An open boundary therefore moves only along itself.
+ * So an open boundary moves only along itself.
  */
 #ifndef BoneDecimate_Core_Decimate_Placement_Freedom_h
 #define BoneDecimate_Core_Decimate_Placement_Freedom_h
@@ -30,8 +30,7 @@ enum class Freedom : std::int32_t
   Nowhere ///< The edge may not be collapsed.
 };
 
-/// An open boundary moves only along itself; stationary vertices do not move.
-/// @param first Not one that is constrained: edges are evaluated from vertices that may move.
+/// @param first A vertex that is not constrained: edges are evaluated from vertices that may move.
 inline Freedom FreedomOf(VertexConstraint first, VertexConstraint second, bool isBoundaryEdge)
 {
   if (IsConstrained(second) || LeavesBoundary(first, second, isBoundaryEdge))

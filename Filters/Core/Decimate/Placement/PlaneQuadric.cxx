@@ -13,8 +13,8 @@ namespace
 constexpr double Ridge = 1e-3;       // of the mean eigenvalue of A
 constexpr double FarthestMove = 2.0; // edge lengths from the middle
 
-/// Calls visit(normal, corner) for the plane of every triangle of both rings, the two at the edge
-/// included.
+/// Calls visit(normal, corner) for the plane of every triangle of both rings, including the two at
+/// the edge.
 template <typename Visit>
 void VisitPlanes(
   const HalfEdgeMesh& mesh, const FaceAreas& areas, const EdgeNeighborhood& around, Visit visit)
@@ -40,8 +40,8 @@ void AddEnd(PositionCandidates& proposals, const HalfEdgeMesh& mesh, const EdgeN
   proposals.Edits[proposals.Count++] = { around.Edge, end, mesh.Position(end), true };
 }
 
-/// Minimizes a sum of squares along the edge, each term given by how it changes and how large it is
-/// at Start.
+/// Minimizes a sum of squares along the edge. Each term is given by its change along the edge and
+/// its value at Start.
 class EdgeMinimum
 {
 public:
@@ -50,7 +50,7 @@ public:
     this->Slope += change * atStart;
     this->Curvature += change * change;
   }
-  /// The squared distance to a line: both vectors lose their part along the line first.
+  /// Adds the squared distance to a line, by the parts of the vectors across the line.
   void AddLine(const Vector3& direction, const Vector3& edge, const Vector3& fromLine)
   {
     const Vector3 edgeAcross = edge - Dot(direction, edge) * direction;

@@ -2,22 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaneQuadric.h
- * @brief Position candidates of the merged vertex: the thesis's local plane quadric and
- * alternatives if that is rejected.
+ * @brief Candidates for the position of the merged vertex in the thesis: the minimum of the local
+ * plane quadric, and alternatives if it is rejected.
  *
  * Over the triangles t of both rings, with unit normals nt and a corner vt each, the vertex u
  * minimizes
  *
- *     sum of (nt.(u - vt))^2        A u = b,  A = sum of nt ntT,  b = sum of A_t vt
+ *     sum of (nt.(u - vt))^2        A u = b,  A = sum of At, At = nt nt^T,  b = sum of At vt
  *
- * Over one vertex's own ring the minimum would be that vertex, so the sum is over both rings. Flat
- * and cylindrical rings make A singular: a ridge of 1e-3 tr(A)/3 pulls u to the middle of the edge
- * in the directions the planes leave open.
+ * The sum is over both rings, because the minimum over the ring of one vertex would be this vertex.
+ * Flat and cylindrical rings make A singular. A ridge of 1e-3 tr(A)/3 pulls u to the middle of the
+ * edge in the directions that the planes leave open.
  *
- * Between two inside vertices: that u, unless it is farther than two edge lengths from the middle;
- * then its minimum along the edge, the middle, the ends. From inside to boundary: the boundary
- * vertex. Along a boundary edge: the minimum along the edge of the same sum plus the squared
- * distances to the two neighboring boundary edges' lines; then the ends.
+ *     between two inner vertices:   u, unless it is farther than two edge lengths from the middle;
+ *                                   the minimum along the edge; the middle; the ends
+ *     from inner to boundary:       the boundary vertex
+ *     along a boundary edge:        the minimum along the edge of the same sum plus the squared
+ *                                   distances to the lines of the two next boundary edges; the ends
  *
  * M. Garland and P. Heckbert, Surface simplification using quadric error metrics, 1997: the
  * quadric.

@@ -29,7 +29,7 @@ Float3 PositionInSpace(const EdgeQuadric& q)
   const Float3 y = (adjugate * q.G) * perDeterminant;
   const Float3 volumeKept = leastSquares + y * ((q.D - q.G.Dot(leastSquares)) / q.G.Dot(y));
   const float farthest = q.Half.Dot(q.Half) * FarthestMoveSquared;
-  // Comparisons with what is not a number are false.
+  // Comparisons with NaN are false.
   if (volumeKept.Dot(volumeKept) <= farthest)
   {
     return volumeKept;

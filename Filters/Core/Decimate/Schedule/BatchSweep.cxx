@@ -9,14 +9,14 @@ namespace bonedecimate
 {
 namespace
 {
-/// Vertices of a batch.
+/// Number of vertices in a batch.
 constexpr std::size_t MinBatch = 8;
 constexpr std::size_t FirstBatch = 32;
 constexpr std::size_t MaxBatch = 128;
-/// A batch shrinks if more than one collapse in this many was found in vain, and grows if less than
-/// one in four times as many.
+/// A batch shrinks if more than one search was wasted for this many collapses, and grows if less
+/// than one was for four times as many.
 constexpr std::size_t CollapsesPerWasted = 8;
-/// Vertices that wait, in batches: no list is read while there are more.
+/// Maximum number of waiting vertices, in batches. With more, no list is read.
 constexpr std::size_t MaxWaitingBatches = 4;
 }
 
@@ -69,7 +69,7 @@ bool BatchSweep::Run(const BlockTask& task, StopCriterion& end, const Monitor& m
 }
 
 //------------------------------------------------------------------------------
-/// Those that waited first.
+/// Waiting vertices come first.
 void BatchSweep::FillBatch()
 {
   this->BatchSize = 0;
@@ -97,8 +97,8 @@ void BatchSweep::FillBatch()
 }
 
 //------------------------------------------------------------------------------
-/// Adds the vertex to the batch or to those that wait, unless its bucket has risen since it was
-/// listed.
+/// Adds the vertex to the batch or to the waiting vertices, unless its bucket has risen since it
+/// was listed.
 void BatchSweep::Take(const ListedVertex& listed)
 {
   if (this->Data.Buckets[listed.Vertex] > listed.Highest)
@@ -114,7 +114,7 @@ void BatchSweep::Take(const ListedVertex& listed)
 }
 
 //------------------------------------------------------------------------------
-/// False if the batch has a vertex of the closed ring already.
+/// False if the batch contains a vertex of the closed ring already.
 bool BatchSweep::ReserveRing(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -132,7 +132,7 @@ bool BatchSweep::ReserveRing(VertexId vertex)
 }
 
 //------------------------------------------------------------------------------
-/// Called at the same time for all candidates of a batch.
+/// Runs in parallel for all candidates of a batch.
 void BatchSweep::SearchAt(Candidate& candidate) const
 {
   candidate.Workspace.Change.Rank = candidate.Listed.Highest;
@@ -150,7 +150,7 @@ void BatchSweep::SearchAt(Candidate& candidate) const
 }
 
 //------------------------------------------------------------------------------
-/// All faces that change have their corners on the ring or at the ends.
+/// All corners of faces that change are on the ring or ends of the edge.
 void BatchSweep::FindBox(Candidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -168,7 +168,7 @@ void BatchSweep::FindBox(Candidate& candidate) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether what the search read is as it was.
+/// Whether the data that the search read is unchanged.
 bool BatchSweep::IsUpToDate(Candidate& candidate) const
 {
   const Box& own = candidate.ChangedBox;

@@ -2,28 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BatchSweep.h
- * @brief Collapses cheap edges of the whole mesh, where checking an edit takes much longer than
+ * @brief Collapses cheap edges of the whole mesh where checking an edit takes much longer than
  * applying it.
  *
- *     list the vertices by bucket                                                     (VertexLists)
- *     while a list is not above the limit, and collapses are left:
- *         batch:    the next vertices, lowest lists first, of which no two have a vertex of their
- *                   closed rings in common;
- *                   the others wait for the next batch
- *         search:   at each vertex the cheapest collapse that is accepted, all at the same time
- *           (CollapseSearch)
+ *     list the vertices by bucket                                                (VertexLists)
+ *     while a list is not above the limit and collapses remain:
+ *         batch:    the next vertices, lowest lists first, of which no two have a vertex of
+ *                   their closed rings in common; the others wait for the next batch
+ *         search:   at each vertex, in parallel, the cheapest accepted collapse  (CollapseSearch)
  *         commit:   one after the other, in the order of the lists:
- *                   rejected:                   set the bucket that the search found
- *                   accepted, and what the search read has changed in this batch:  wait for the
- *                     next batch
- *                   accepted otherwise:         collapse; compute the bucket of the merged vertex
+ *                   rejected:             set the bucket that the search found
+ *                   accepted:             collapse; compute the bucket of the merged vertex
+ *                   accepted, but what the search read has changed in this batch:
+ *                                         wait for the next batch
  *
  * This is optimistic parallel execution with deterministic reservations (G. Blelloch et al.,
  * Internally deterministic parallel algorithms can be fast, 2012). A search writes nothing that
- * another one of its batch reads: only witnesses of the ends of its edges, which lie in the closed
- * ring. What it reads is the mesh within Reach of the faces that change, compared by boxes, and
- * what the filters compare in StillAccepts. A batch depends on the mesh alone, so the number of
- * threads does not change the result. The fewer searches are in vain, the larger the next batch.
+ * another search of its batch reads: only witnesses of the ends of its edges, which lie in the
+ * closed ring. It reads the mesh within Reach of the faces that change, which is compared by boxes,
+ * and what the filters compare in StillAccepts. A batch depends on the mesh alone, so the number of
+ * threads does not change the result. The fewer searches are wasted, the larger the next batch.
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_BatchSweep_h
 #define BoneDecimate_Core_Decimate_Schedule_BatchSweep_h
@@ -41,14 +39,14 @@ class BatchSweep
 public:
   BatchSweep(Editor& editor, const EdgeEvaluator& evaluate, SweepData& data, int threads);
 
-  /// Until the end is reached, or nothing is left to collapse.
+  /// Runs until the end is reached or nothing is left to collapse.
   /// @param task Its vertices are the whole mesh.
-  /// @param end Reported after every collapse and before every batch.
+  /// @param end Reports after every collapse and before every batch.
   /// @return False if the monitor requests a stop.
   bool Run(const BlockTask& task, StopCriterion& end, const Monitor& monitor);
 
 private:
-  /// A vertex of a list.
+  /// A vertex of a list, or one that waits.
   struct ListedVertex
   {
     VertexId Vertex;
@@ -59,7 +57,7 @@ private:
     Vector3 Low = Vector3::Zero(); // mm
     Vector3 High = Vector3::Zero();
   };
-  /// A vertex of the batch, and what was found there.
+  /// A vertex of the batch and the result of its search.
   struct Candidate
   {
     ListedVertex Listed;
@@ -85,18 +83,18 @@ private:
   BlockTask Task;
   VertexLists Lists;
   WorkerTeam Team;
-  std::vector<Candidate> Candidates; // memory of the batch
-  std::size_t BatchSize = 0;         // of the batch
+  std::vector<Candidate> Candidates; // the batch, and spare ones
+  std::size_t BatchSize = 0;
   std::size_t MaxBatchSize;
   std::vector<Index> List; // the lowest list, of which those before NextInList were taken
   std::size_t NextInList = 0;
   CostBucket MaxBucketOfList = NeverBucket;
-  std::vector<ListedVertex> WaitingVertices,
-    RetriedVertices; // for the next batch; of the one being filled
-  // of each vertex, the last batch that has it in a closed ring
+  std::vector<ListedVertex> WaitingVertices; // for the next batch
+  std::vector<ListedVertex> RetriedVertices; // of the batch that is filled
+  // for each vertex, the last batch with the vertex in a closed ring
   std::vector<std::uint32_t> ReservedBy;
   std::uint32_t BatchNumber = 0;
-  std::vector<Box> ChangedBoxes; // by the collapses of this batch
+  std::vector<Box> ChangedBoxes; // of the collapses of this batch
 };
 }
 

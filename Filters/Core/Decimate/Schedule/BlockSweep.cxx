@@ -50,7 +50,7 @@ void BlockSweep::LookAhead(std::size_t at)
 }
 
 //------------------------------------------------------------------------------
-/// The evaluated edges of the vertex at that position of the list. Those of the next vertex are
+/// The evaluated edges of the vertex at this position of the list. The edges of the next vertex are
 /// gathered first, so that their data is prefetched meanwhile.
 VertexEdges& BlockSweep::EvaluatedEdges(std::size_t at, CostBucket highest)
 {
@@ -99,7 +99,7 @@ bool BlockSweep::CollapseAt(VertexEdges& edges, CostBucket highest)
 }
 
 //------------------------------------------------------------------------------
-/// What was gathered ahead may have lost an edge.
+/// Discards gathered edges near the collapse, because one of them may be gone.
 void BlockSweep::ForgetChanged()
 {
   const EdgeNeighborhood& around = this->Workspace.Neighborhood;
@@ -122,7 +122,7 @@ void BlockSweep::Defer(VertexId vertex)
 }
 
 //------------------------------------------------------------------------------
-/// Deferred vertices that have not been collapsed since get their bucket back.
+/// Gives deferred vertices that still exist their bucket back.
 void BlockSweep::Restore()
 {
   for (const OldBucket& old : this->DeferredVertices)

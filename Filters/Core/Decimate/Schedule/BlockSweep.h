@@ -4,18 +4,17 @@
  * @file BlockSweep.h
  * @brief Collapses cheap edges within one block of consecutive vertices, list by list.
  *
- *     list the vertices by bucket, eight lists per factor of two                      (VertexLists)
- *     while a list is not above the limit, and collapses are left:
+ *     list the vertices by bucket, eight lists per factor of two                 (VertexLists)
+ *     while a list is not above the limit and collapses remain:
  *         for every vertex of the lowest list:
  *             evaluate its edges again
- *             cost above the list:        set the bucket of the vertex, and add it to the list of
- *                                         that bucket
- *             search the cheapest collapse that is accepted                        (CollapseSearch)
- *             deferred:                   to the next pass, which has other blocks
- *             rejected:                   set the bucket that the search found
- *             accepted:   collapse; compute the bucket of the merged vertex, and add it to its list
+ *             cost above the list:   set the bucket of the vertex, and add it to that list
+ *             search the cheapest accepted collapse                              (CollapseSearch)
+ *             deferred:    left to the next pass, which has other blocks
+ *             rejected:    set the bucket that the search found
+ *             accepted:    collapse; compute the bucket of the merged vertex and list it
  *
- * No vertex outside the block is read or written, so that blocks may be swept in parallel.
+ * No vertex outside of the block is read or written, so blocks may be swept in parallel.
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_BlockSweep_h
 #define BoneDecimate_Core_Decimate_Schedule_BlockSweep_h
@@ -43,13 +42,13 @@ public:
   /// in.
   void RenewAll(Index first, Index last);
 
-  /// @param afterCollapse Called after every collapse.
-  /// @param beforeVertex Called before every vertex; both return whether the sweep continues.
+  /// @param afterCollapse Called after every collapse.  @param beforeVertex Called before every
+  /// vertex. Both return whether the sweep continues.
   template <typename AfterCollapse, typename BeforeVertex>
   void Run(
     const BlockTask& task, const AfterCollapse& afterCollapse, const BeforeVertex& beforeVertex);
 
-  /// Totals of the edits since the last call, for Editor::Settle.
+  /// Counts since the last call, for Editor::Settle.
   Tally& Counts() { return this->Workspace.Counts; }
 
 private:
@@ -67,10 +66,10 @@ private:
   VertexLists Lists;
   CollapseSearch Search;
   EditWorkspace Workspace;
-  VertexEdges GatheredEdges[2]; // of one vertex and the next
+  VertexEdges GatheredEdges[2]; // of the current vertex and the next one
   std::vector<Index> List;
   static constexpr std::size_t PrefetchDistance = 8; // vertices
-  std::array<Index, PrefetchDistance> Cursors{};     // half-edges at the next vertices of Ready
+  std::array<Index, PrefetchDistance> Cursors{};     // half-edges at the next vertices of List
   struct OldBucket
   {
     Index Vertex;

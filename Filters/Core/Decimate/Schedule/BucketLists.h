@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BucketLists.h
- * @brief Vertices in lists by the bucket of their cost, eight lists per factor of two: no heap, no
- * comparison.
+ * @brief Lists of vertices by the bucket of their cost, eight lists per factor of two. Needs no
+ * heap and no comparisons.
  *
  * Vertices are never removed from the middle of a list. The caller checks whether a vertex still
  * belongs to its list.
@@ -22,15 +22,16 @@
 
 namespace bonedecimate
 {
-/// The upper 16 bits below the sign of a cost: ordered like costs, 256 buckets per factor of two.
+/// The upper 16 bits below the sign bit of a cost: ordered like costs, with 256 buckets per factor
+/// of two.
 using CostBucket = std::uint16_t;
 constexpr CostBucket NeverBucket = 0xFFFF;
-constexpr CostBucket LastBucket =
-  NeverBucket - 1; ///< Last bucket of vertices with an edge to collapse.
+/// Last bucket of vertices with an edge to collapse.
+constexpr CostBucket LastBucket = NeverBucket - 1;
 constexpr int BucketsPerDoubling = 256;
 constexpr int BucketsPerList = BucketsPerDoubling / 8;
 
-/// The bucket of a cost of 0 or more; infinite ones never come up.
+/// The bucket of a cost of 0 or more; NeverBucket for an infinite one.
 inline CostBucket BucketOf(float cost)
 {
   std::uint32_t bits = 0;
@@ -39,7 +40,7 @@ inline CostBucket BucketOf(float cost)
                                                        : NeverBucket;
 }
 
-/// That many buckets higher, but not above the last one.
+/// The bucket `step` buckets higher, but not above the last one.
 inline CostBucket Raised(CostBucket bucket, int step)
 {
   return static_cast<CostBucket>(std::min<int>(bucket + step, LastBucket));
@@ -54,15 +55,15 @@ inline float CostOf(CostBucket bucket)
   return cost;
 }
 
-/// Number of buckets that are not above the limit. The sums are short, so that compilers vectorize
-/// the loop.
+/// Number of buckets that are not above the limit. The partial sums are short, so that compilers
+/// vectorize the loop.
 inline Index CountUpTo(CostBucket limit, const CostBucket* first, const CostBucket* last)
 {
-  constexpr std::ptrdiff_t most = 4096;
+  constexpr std::ptrdiff_t maxPart = 4096;
   Index count = 0;
   while (first != last)
   {
-    const CostBucket* end = first + std::min(most, last - first);
+    const CostBucket* end = first + std::min(maxPart, last - first);
     std::uint16_t part = 0;
     for (; first != end; ++first)
     {
@@ -98,8 +99,8 @@ public:
     this->Lowest = std::min(this->Lowest, list);
   }
 
-  /// Moves the lowest list there is to `vertices`, the last one added first; returns its highest
-  /// bucket, NeverBucket if there is none.
+  /// Moves the lowest list to `vertices`, the vertex added last first. Returns the highest bucket
+  /// of the list, NeverBucket if there is no list.
   CostBucket TakeLowest(std::vector<Index>& vertices)
   {
     vertices.clear();
@@ -126,7 +127,7 @@ private:
     Index Vertex;
     Index Next;
   };
-  std::vector<Index> First; // of each list
+  std::vector<Index> First; // node of each list
   std::vector<Node> Nodes;
   int Lowest = NumberOfLists;
 };

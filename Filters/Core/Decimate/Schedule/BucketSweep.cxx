@@ -15,19 +15,19 @@ namespace bonedecimate
 {
 namespace
 {
-/// Vertices of a block that are still there, on average: sixteen blocks, within limits.
+/// Live vertices of a block, on average. There are sixteen blocks, within these limits.
 constexpr Index MinOfBlock = 2048;
 constexpr Index MaxOfBlock = 16384;
-/// Proofs are worth more blocks.
+/// Where edits are proved, smaller blocks pay off.
 constexpr Index MinOfProvedBlock = 512;
 constexpr Index RenewBelowDivisor = 50;
-constexpr Index BlocksForRounds = 8; // that are worth it
+constexpr Index MinBlocksForRounds = 8;
 /// Fraction of the remaining collapses that a round aims at, to stay below the final limit.
 constexpr double RoundFraction = 0.7;
-constexpr int FirstStep = 2 * BucketsPerDoubling; // by which the limit is raised
-/// To the monitor, of a sweep of the whole mesh: some milliseconds.
+constexpr int FirstStep = 2 * BucketsPerDoubling; // first rise of the limit
+/// Collapses between two reports of a sweep of the whole mesh: some milliseconds.
 constexpr Index CollapsesPerReport = 1024;
-/// The same where edits are proved, in vertices that are looked at.
+/// Vertices between two reports where edits are proved.
 constexpr Index VerticesPerReport = 64;
 }
 
@@ -90,11 +90,11 @@ StopReason BucketSweep::Run(const StopTargets& stops, const Monitor& monitor)
 bool BucketSweep::HasRounds() const
 {
   const Index least = this->MeshEditor.LimitsEdits() ? MinOfProvedBlock : MinOfBlock;
-  return this->MeshEditor.Mesh().NumberOfVertexSlots() >= BlocksForRounds * least;
+  return this->MeshEditor.Mesh().NumberOfVertexSlots() >= MinBlocksForRounds * least;
 }
 
 //------------------------------------------------------------------------------
-/// As long as they are worth it. False if the monitor stopped it.
+/// Runs rounds while many collapses remain. False if the monitor requests a stop.
 bool BucketSweep::RunRounds(const Monitor& monitor)
 {
   if (!this->HasRounds())
@@ -117,7 +117,7 @@ bool BucketSweep::RunRounds(const Monitor& monitor)
       const double perBucket = std::max(1, wanted - left) / static_cast<double>(step);
       step = static_cast<int>(std::clamp<double>(RoundFraction * left / perBucket, 1.0, MaxStep));
     }
-    goesUp = limit < LastBucket; // above the last bucket, nothing may be collapsed
+    goesUp = limit < LastBucket; // nothing above it can be collapsed
     limit = Raised(limit, step);
   }
   return true;
@@ -136,14 +136,14 @@ bool BucketSweep::RenewAll(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// Each takes two faces, but for the few on boundaries.
+/// Each collapse removes two faces, except for the few on boundaries.
 Index BucketSweep::RemainingCollapses() const
 {
   return std::max(0, this->MeshEditor.Mesh().NumberOfFaces() - this->Targets.Faces) / 2;
 }
 
 //------------------------------------------------------------------------------
-/// The highest bucket with no more than that many vertices at or below it.
+/// The highest bucket with no more than that many vertices up to it.
 CostBucket BucketSweep::FirstLimit(Index collapses) const
 {
   std::vector<Index> histogram(NeverBucket + 1, 0);
@@ -161,7 +161,8 @@ CostBucket BucketSweep::FirstLimit(Index collapses) const
 }
 
 //------------------------------------------------------------------------------
-/// Blocks, shifted blocks, and what neither can do. False if the monitor stopped it.
+/// Sweeps blocks, shifted blocks, and the whole mesh for the edges between them. False if the
+/// monitor requests a stop.
 bool BucketSweep::Round(CostBucket limit, const Monitor& monitor)
 {
   return this->SweepBlocks(limit, { this->BlockSize(), false }, monitor) &&
@@ -171,7 +172,7 @@ bool BucketSweep::Round(CostBucket limit, const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// Side by side. False if the monitor stopped it.
+/// Sweeps blocks in parallel. False if the monitor requests a stop.
 bool BucketSweep::SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& monitor)
 {
   const std::vector<BlockTask> blocks = this->Blocks(limit, cut);
@@ -207,7 +208,7 @@ bool BucketSweep::SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& mon
 }
 
 //------------------------------------------------------------------------------
-/// In vertex slots: the fewer are still there, the longer the block.
+/// In vertex slots: a block of a coarse mesh has more slots per live vertex.
 Index BucketSweep::BlockSize() const
 {
   const Index slots = this->MeshEditor.Mesh().NumberOfVertexSlots();
@@ -218,15 +219,15 @@ Index BucketSweep::BlockSize() const
 }
 
 //------------------------------------------------------------------------------
-/// For what reaches out of small ones: so few that little reaches out of them, with ends where no
-/// others have theirs.
+/// Three blocks, for edges between small ones. Few edges lead out of so few blocks, and they do not
+/// end where other blocks end.
 BucketSweep::BlockCut BucketSweep::LargeBlocks() const
 {
   return { 1 + 2 * (this->MeshEditor.Mesh().NumberOfVertexSlots() / 5), false };
 }
 
 //------------------------------------------------------------------------------
-/// Each may collapse in proportion to the vertices it has below the limit.
+/// Each block may collapse in proportion to its vertices up to the limit.
 std::vector<BlockTask> BucketSweep::Blocks(CostBucket limit, BlockCut cut) const
 {
   const Index slots = this->MeshEditor.Mesh().NumberOfVertexSlots();
@@ -254,7 +255,7 @@ std::vector<BlockTask> BucketSweep::Blocks(CostBucket limit, BlockCut cut) const
 }
 
 //------------------------------------------------------------------------------
-/// The mesh as one block, down to so many faces.
+/// The mesh as one block, down to that many faces.
 BlockTask BucketSweep::WholeTask(CostBucket limit, Index faces) const
 {
   BlockTask task;
@@ -266,7 +267,7 @@ BlockTask BucketSweep::WholeTask(CostBucket limit, Index faces) const
 }
 
 //------------------------------------------------------------------------------
-/// False if the monitor stopped it.
+/// False if the monitor requests a stop.
 bool BucketSweep::Tail(const Monitor& monitor)
 {
   const Index renewBelow = this->InitialFaces / RenewBelowDivisor;
@@ -275,7 +276,7 @@ bool BucketSweep::Tail(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// The mesh as one block, down to so many faces. False if the monitor stopped it.
+/// Sweeps the mesh as one block, down to that many faces. False if the monitor requests a stop.
 bool BucketSweep::SweepWhole(CostBucket limit, Index faces, bool renewsRing, const Monitor& monitor)
 {
   BlockSweep whole(this->MeshEditor, this->Evaluate, this->Data);

@@ -2,48 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BucketSweep.h
- * @brief Collapses ordered by what they do to the normal field, in rounds of blocks that are swept
- * at the same time.
+ * @brief Collapses ordered by the change of the normal field, in rounds of blocks that are swept in
+ * parallel.
+ *
+ * Without an error bound or voxels:
  *
  *     compute the buckets of all vertices
- *     limit = the highest bucket with no more vertices at or below it than collapses remain
- *       (a histogram)
- *     while many collapses remain:                                                          a round
+ *     limit = the highest bucket with no more vertices up to it than collapses remain
+ *     a round, while many collapses remain:
  *         sweep blocks of consecutive vertices up to the limit, then blocks shifted by half;
- *             the allowance of a block is in proportion to its vertices up to the limit
- *         sweep the whole mesh as one block up to the limit: edges whose ring left every block
- *         raise the limit by a factor of 4 in cost; from the second round on by as many buckets as
- *           should give 0.7
- *             (RoundFraction) of the remaining collapses, by the collapses per bucket of the last
- *               round
- *     sweep the whole mesh as one block, without a limit, down to the exact number         the tail
- *     target not reached:  repeat, unless nothing was collapsed since the buckets were computed
+ *             each may collapse in proportion to its vertices up to the limit
+ *         sweep the whole mesh as one block up to the limit, for edges between blocks
+ *         raise the limit: after the first round by a factor of 4 in cost, later by as many
+ *             buckets as should give 0.7 of the remaining collapses (RoundFraction), by the
+ *             collapses per bucket of the last round
+ *     the tail: sweep the whole mesh as one block, without a limit, to the exact number
+ *     repeat if the target is not reached, unless nothing was collapsed
  *
- * If every edit is proved (ErrorBound), the final number of faces is not data in advance:
+ * If every edit is proved, the final number of faces is not known in advance:
  *
- *     draft:    as pass 0, with edits that are proved together at its end (Decimate/Edit/Draft.h);
- *               once for an editor
- *               the limit starts at half of the vertices and rises by a factor of 16 in cost:  a
- *                 round each, as above
- *               between shifted blocks and the whole mesh, three large blocks; then the rest as one
- *                 block
- *     pass 0:   sweep the whole mesh in batches (BatchSweep), because a proof takes longer than
- *               anything else
- *               one edge of a vertex, best position only; edges that cannot be proved wait for the
- *                 next pass
- *     pass 1 and later:  such a sweep; buckets are computed only near changes
- *               all edges of a vertex, each with the best position, its middle, its ends, and
- *                 others near the best
+ *     draft:    like pass 0, in rounds, proved together at the end (Decimate/Edit/Draft.h); once
+ *               per editor. The limit starts at half of the vertices and rises by a factor of 16
+ *               in cost; a round also sweeps three large blocks, for edges between the others
+ *     pass 0:   sweep the whole mesh in batches (BatchSweep), because proofs take most of the
+ *               time. One edge per vertex, best position only; edges that cannot be proved wait
+ *               for the next pass
+ *     pass 1 and later: the same, with buckets computed only near changes, and with all edges of
+ *               a vertex, each with the best position, its middle, its ends, and others near
+ *               the best
  *     end:      a pass removes less than one face in 128 (MinOfPass), or the target is reached
  *
- * Where only voxels limit the edits, the passes are rounds as those of the draft, because these
- * checks are short.
+ * If voxels alone limit the edits, passes are rounds like those of the draft, because their checks
+ * are short.
  *
  * Limits, blocks and allowances are set before a pass over the blocks and depend on the mesh alone,
- * so that the number of threads does not change the result. No round aims beyond the final limit:
- * that would be faster but cost several percent of accuracy. Small meshes have no rounds, only the
- * tail. Below a fiftieth of the faces, the tail computes the buckets of whole rings again after
- * each collapse.
+ * so the number of threads does not change the result. No round aims beyond the final limit: this
+ * would be faster but cost several percent of accuracy. Small meshes have only the tail. Below a
+ * fiftieth of the faces, the tail computes the buckets of whole rings again after each collapse.
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_BucketSweep_h
 #define BoneDecimate_Core_Decimate_Schedule_BucketSweep_h
@@ -64,12 +59,12 @@ public:
   BucketSweep(Editor& editor, int threads, const SweepSettings& settings = {},
     const SweepPolicies& policies = { QuadricDeviation, VolumePreservingPosition });
 
-  /// May run again with other targets, after other stages have changed the mesh.
+  /// May run again with other targets after other stages have changed the mesh.
   /// @param monitor Receives fractions from 0 to 1.
   StopReason Run(const StopTargets& stops, const Monitor& monitor);
 
 private:
-  static constexpr int MaxStep = 4 * BucketsPerDoubling; ///< By which a limit is raised.
+  static constexpr int MaxStep = 4 * BucketsPerDoubling; ///< Maximum rise of a limit.
 
   bool RenewAll(const Monitor& monitor);
   Index RemainingCollapses() const;
@@ -83,7 +78,7 @@ private:
   struct BlockCut
   {
     Index Size;     ///< Vertex slots of a block.
-    bool IsShifted; ///< By half of one.
+    bool IsShifted; ///< By half of a block.
   };
   bool SweepBlocks(CostBucket limit, BlockCut cut, const Monitor& monitor);
   Index BlockSize() const;
@@ -101,7 +96,7 @@ private:
   Index InitialFaces;
   int PositionsTried;
   EdgeEvaluator Evaluate;
-  bool TriesAll = false; // otherwise only the best position
+  bool TriesAll = false; // all edges and positions, or only the best
 };
 }
 

@@ -53,7 +53,7 @@ CollapseSearch::Result CollapseSearch::Find(
     rejectedUntil =
       static_cast<CostBucket>(std::min<int>(highest + BucketsAfterRejection, NeverBucket));
   }
-  // All edges were tried; trying them again until the end of the pass would cost more than the
+  // All edges were tried. Trying them again until the end of the pass would take longer than the
   // pass.
   const bool waits = crosses && bucket == NeverBucket;
   return { Outcome::Rejected, waits ? NeverBucket : std::min(bucket, rejectedUntil), 0.0,
@@ -74,7 +74,7 @@ bool CollapseSearch::WasTried(VertexId vertex) const
 CollapseSearch::Trial CollapseSearch::TryEdge(
   VertexId vertex, const VertexEdges::Candidate& candidate, float maxCost)
 {
-  // An edge also depends on what is around its other end.
+  // An edge also depends on the surroundings of its other end.
   if (this->Data.IsRejected(vertex) &&
     this->WasTried(this->MeshEditor.Mesh().OtherEnd(candidate.Edge, vertex)))
   {
@@ -123,7 +123,7 @@ CollapseSearch::Trial CollapseSearch::TryPositions(const Edit& best, float maxCo
     }
   }
   const Rejection reason = decision.Reason();
-  // With several workers each has a part of the volume that a fragment may lose.
+  // With several workers, each has a part of the volume that a fragment may lose.
   this->IsLasting = this->IsLasting && (reason != Rejection::Fragment || this->Task->Workers == 1);
   const bool isTooFar = reason == Rejection::ErrorBound || reason == Rejection::VoxelLabel;
   return decision.IsDeferred()           ? Trial::Deferred
@@ -151,8 +151,8 @@ double CollapseSearch::AccumulatedErrorAfter(const Edit& edit)
 }
 
 //------------------------------------------------------------------------------
-/// To the best position, or onto the vertex with the higher constraint if the constraints of the
-/// ends differ.
+/// Collapses to the best position, or onto the vertex with the higher constraint if the constraints
+/// of the ends differ.
 Edit CollapseSearch::EditOf(VertexId vertex, const VertexEdges::Candidate& candidate) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CollapseSearch.h
- * @brief The cheapest collapse at a vertex that rules and filters accept. The search changes
- * neither the mesh nor the buckets.
+ * @brief Searches the cheapest collapse at a vertex that rules and filters accept. Changes neither
+ * the mesh nor the buckets.
  *
- *     for every edge of the vertex up to the highest cost, cheapest first, without those rejected
- *       before if nothing has changed:
- *         an edge leads out of the block:      deferred
- *         spike penalty above the highest:     as if rejected
- *         rejected:       the next edge; after the last, raise the bucket by a factor of 16 in cost
- *         not proved, or intersects:      after the last edge that is tried, wait for the next pass
- *         else it is the one
+ *     an edge leads out of the block:       deferred
+ *     for every edge up to the highest cost, cheapest first:
+ *         rejected before, and unchanged:   skip it
+ *         accepted:                         return it
+ *         rejected, or its spike penalty is above the highest cost:
+ *                                           next edge; after the last one, raise the bucket by a
+ *                                           factor of 16 in cost
+ *         not proved, or intersecting:      next edge, if all are tried; after the last one, wait
+ *                                           for the next pass
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_CollapseSearch_h
 #define BoneDecimate_Core_Decimate_Schedule_CollapseSearch_h
@@ -25,9 +27,9 @@ struct BlockTask
 {
   VertexRange Vertices;
   CostBucket Limit = LastBucket; ///< Vertices above it are not collapsed.
-  Index Collapses = 0;           ///< The most allowed.
+  Index Collapses = 0;           ///< Maximum number.
   int Workers = 1;               ///< Blocks that are swept at the same time.
-  bool RenewsRing = false;       ///< Compute the buckets of the ring of each merged vertex again.
+  bool RenewsRing = false;       ///< Computes the buckets of the ring of a merged vertex again.
   /// Positions tried for a merged vertex until one can be proved. 1: only the best position, and no
   /// other edge.
   int PositionsTried = 1;
@@ -47,8 +49,8 @@ public:
   {
     Outcome Kind = Outcome::Rejected;
     CostBucket Bucket = NeverBucket; ///< Bucket of the vertex if it is rejected.
-    double AccumulatedError = 0.0;   ///< Units, of the merged vertex if it is accepted.
-    bool IsLasting = true; ///< Whether a rejection holds until something around the vertex changes.
+    double AccumulatedError = 0.0;   ///< That of an accepted merged vertex, units.
+    bool IsLasting = true; ///< Whether a rejection holds until something near the vertex changes.
   };
 
   CollapseSearch(const Editor& editor, const SweepData& data)
@@ -58,9 +60,10 @@ public:
   {
   }
 
-  /// @param edges The edges of the vertex, evaluated if they are inside; forgotten afterwards.
-  /// @param workspace Holds an accepted collapse, for Editor::Apply. Its change has the range and the
-  ///   workers of the task.
+  /// @param edges The edges of the vertex, evaluated if they are inside of the block; reset
+  /// afterwards.
+  /// @param workspace Receives an accepted collapse, for Editor::Apply. Its change has the range
+  /// and the workers of the task.
   Result Find(
     VertexEdges& edges, CostBucket highest, const BlockTask& task, EditWorkspace& workspace);
 
@@ -69,7 +72,7 @@ private:
   {
     TooCostly,
     Crossing, ///< Rejected by the intersection guard; waits for the next pass.
-    TooFar,   ///< Not proved; waits until something around it changes.
+    TooFar,   ///< Not proved; waits until something near it changes.
     Accepted,
     Deferred
   };
@@ -82,7 +85,7 @@ private:
   const Editor& MeshEditor;
   const SweepData& Data;
   const Kernels& KernelSet;
-  const BlockTask* Task = nullptr; // of the current search, as what follows
+  const BlockTask* Task = nullptr; // of the current search, like all that follows
   EditWorkspace* Workspace = nullptr;
   double AccumulatedError = 0.0; // units, of the position tried last
   bool IsLasting = true;         // of the rejections so far

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a BucketSweep does where an error bound or voxels limit the edits.
+// The part of BucketSweep for edits that an error bound or voxels limit.
 #include "BatchSweep.h"
 #include "BucketSweep.h"
 
@@ -12,7 +12,7 @@ namespace
 constexpr Index MinOfPass = 128;
 }
 
-/// The final number of faces is not data. Rejected edges wait for the next pass, which tries all
+/// The final number of faces is not known. Rejected edges wait for the next pass, which tries all
 /// positions.
 StopReason BucketSweep::RunProved(const Monitor& monitor)
 {
@@ -49,7 +49,7 @@ StopReason BucketSweep::RunProved(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// False if the monitor stopped it: then nothing is left of the draft.
+/// False if the monitor requests a stop; then the whole draft is undone.
 bool BucketSweep::MakeDraft(const Monitor& monitor)
 {
   const auto collapse = [&]
@@ -64,7 +64,7 @@ bool BucketSweep::MakeDraft(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// False if the monitor stopped it.
+/// False if the monitor requests a stop.
 bool BucketSweep::PassInRounds(const Monitor& monitor)
 {
   const Index half = this->MeshEditor.Mesh().NumberOfFaces() / 4; // of the vertices

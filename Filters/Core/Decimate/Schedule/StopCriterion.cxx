@@ -66,7 +66,7 @@ StopReason StopCriterion::Reason() const
 }
 
 //------------------------------------------------------------------------------
-/// Measured in faces. With an error target, the final number of faces is not data, so the run may
+/// Measured in faces. With an error target, the final number of faces is not known, so the run may
 /// end early.
 double StopCriterion::FractionDone(Index unsettled) const
 {

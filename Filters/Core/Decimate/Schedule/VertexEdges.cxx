@@ -13,8 +13,7 @@ namespace bonedecimate
 namespace
 {
 constexpr float Never = std::numeric_limits<float>::infinity();
-/// An edge of a vertex with more has more than MaxFacesOfEdit: such a vertex has no edge to
-/// collapse.
+/// A vertex with more batches has more than MaxFacesOfEdit faces and no edge to collapse.
 constexpr std::size_t MaxBatches = MaxFacesOfEdit / EdgeBatch::Size + 1;
 }
 
@@ -36,7 +35,7 @@ void VertexEdges::Gather(
       inside = inside && block.Contains(other);
       if (!inside || this->UsedBatches > MaxBatches)
       {
-        return false; // The vertices that follow may be changing just now.
+        return false; // other workers may be changing the next vertices
       }
       if (at == EdgeBatch::Size)
       {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexEdges.h
- * @brief The edges at one vertex, gathered first and evaluated later, so that their data is
- * prefetched meanwhile.
+ * @brief The edges at one vertex. They are gathered first and evaluated later, so that their data
+ * is prefetched meanwhile.
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_VertexEdges_h
 #define BoneDecimate_Core_Decimate_Schedule_VertexEdges_h
@@ -17,21 +17,22 @@
 
 namespace bonedecimate
 {
-/// Data of a sweep for every vertex, beside the mesh.
+/// Data of a sweep beside the mesh, most of it per vertex.
 struct SweepData
 {
-  /// NeverBucket: removed, constrained, or without an edge to collapse.
+  /// The bucket of the cheapest edge; NeverBucket: removed, constrained, or without an edge to
+  /// collapse.
   std::vector<CostBucket> Buckets;
-  /// Accumulated error of the collapses into the vertex, units of the mesh.
+  /// Accumulated error of the collapses into the vertex, units.
   std::vector<float> AccumulatedErrors;
   float CostFactor = 1.0F; ///< CostNormalization() of Decimate/Cost/QuadricDeviation.h.
   /// The factor of Decimate/Cost/SpikePenalty.h.
   double SpikeFactor = 0.0;
-  /// Only if edits are limited, of each vertex: what has to be done again because something around
-  /// it has changed.
+  /// What has to be done again because something around the vertex has changed; only if edits are
+  /// limited.
   std::vector<std::uint8_t> Changed;
-  static constexpr std::uint8_t ToEvaluate = 1; ///< Since its bucket was computed for this pass.
-  static constexpr std::uint8_t ToSearch = 2;   ///< Since no collapse was found there.
+  static constexpr std::uint8_t ToEvaluate = 1; ///< Changed since its bucket was computed.
+  static constexpr std::uint8_t ToSearch = 2;   ///< Changed since no collapse was found.
 
   void NoteAllChanged() { this->Changed.assign(this->Buckets.size(), ToEvaluate | ToSearch); }
   void NoteChange(const std::vector<Index>& vertices)
@@ -41,7 +42,7 @@ struct SweepData
       this->Changed[vertices[i]] = ToEvaluate | ToSearch;
     }
   }
-  /// No edge of the vertex with a cost below its bucket may be collapsed.
+  /// Notes that no edge of the vertex with a cost below its bucket can be collapsed.
   void NoteRejection(VertexId vertex)
   {
     if (!this->Changed.empty())
@@ -49,7 +50,8 @@ struct SweepData
       this->Changed[vertex] &= ToEvaluate;
     }
   }
-  /// Whether nothing has changed since: then edges below its bucket need not be tried again.
+  /// Whether nothing has changed since a rejection, so edges below the bucket need not be tried
+  /// again.
   bool IsRejected(VertexId vertex) const
   {
     return !this->Changed.empty() && (this->Changed[vertex] & ToSearch) == 0;
@@ -71,19 +73,19 @@ class VertexEdges
 public:
   struct Candidate
   {
-    Index Edge = None;  ///< None: there is none.
-    float Move[3] = {}; ///< From the vertex, units.
+    Index Edge = None;  ///< None: no edge is left.
+    float Move[3] = {}; ///< Relative to the vertex, units.
   };
 
   void Gather(const HalfEdgeMesh& mesh, const SweepData& data, VertexId vertex, VertexRange block);
   void Evaluate(const EdgeEvaluator& evaluate);
 
-  /// None after Forget.
+  /// The vertex; None after Forget.
   Index Vertex() const { return this->Center; }
   void Forget() { this->Center = None; }
-  /// Whether no edge leads out of the block.
+  /// Whether all edges lie in the block.
   bool AreInside() const { return this->IsInside; }
-  /// The least cost of the edges not taken yet; infinite if there is none.
+  /// The smallest cost of the edges not taken yet; infinite if there is none.
   float MinCost() const;
   Candidate TakeCheapest();
 

@@ -4,10 +4,10 @@
 
 namespace bonedecimate
 {
-/// The last vertex first, since lists are read backwards.
+/// Adds the last vertex first, because lists are read backwards.
 void VertexLists::Fill(const BlockTask& task)
 {
-  // counted together: in later rounds most have no vertex below the limit
+  // Counts blocks of vertices, because in later rounds most blocks have no vertex below the limit.
   constexpr Index step = 32;
   this->Task = task;
   this->Lists.Clear();

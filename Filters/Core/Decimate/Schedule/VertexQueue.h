@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexQueue.h
- * @brief Vertices sorted by cost, lowest first, equal costs by vertex id: a heap that stores the
- * position of each vertex.
+ * @brief Vertices by cost, lowest first, equal costs by vertex id: a heap that stores the position
+ * of each vertex.
  */
 #ifndef BoneDecimate_Core_Decimate_Schedule_VertexQueue_h
 #define BoneDecimate_Core_Decimate_Schedule_VertexQueue_h
@@ -24,9 +24,9 @@ public:
 
   bool IsEmpty() const { return this->Heap.empty(); }
 
-  /// Adds the vertex or gives it a new cost, which must not be NaN.
+  /// Adds the vertex or changes its cost, which must not be NaN.
   void Set(Index vertex, double cost);
-  void Remove(Index vertex); ///< No effect if it is not there.
+  void Remove(Index vertex); ///< No effect if the vertex is not in the queue.
   Index PopLowest();         ///< The queue must not be empty.
 
 private:

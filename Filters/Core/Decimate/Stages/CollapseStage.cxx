@@ -12,7 +12,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// At which the sweep ends.
+/// The number of faces at which the sweep ends.
 Index FacesOfSweep(const StageInput& input)
 {
   const RefineSettings& refine = input.Mode.Refine;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CollapseStage.h
- * @brief The first stage of every mode: collapses edges by the schedule of the mode, feature curves
- * before the faces beside them (FeatureCurveStages.h).
+ * @brief The first stage of every mode: collapses edges by the schedule of the mode, and feature
+ * curves before the faces beside them (FeatureCurveStages.h).
  *
  *     VertexQueue    ThesisCollapse, down to the targets
  *     BucketSweep    BucketSweep, down to the targets or, where a refine stage follows, to a few
@@ -18,7 +18,7 @@ namespace bonedecimate
 {
 StopReason CollapseStage(const StageInput& input, const Monitor& monitor);
 
-/// Down to that many faces by buckets.
+/// Runs a BucketSweep down to that many faces.
 StopReason SweepTo(const StageInput& input, Index faces, const Monitor& monitor);
 }
 

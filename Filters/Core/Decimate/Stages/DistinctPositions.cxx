@@ -28,13 +28,13 @@ std::vector<std::array<int, 3>> StepsAround()
   { return std::abs(s[0]) + std::abs(s[1]) + std::abs(s[2]); };
   std::stable_sort(steps.begin(), steps.end(),
     [&](const auto& one, const auto& other) { return length(one) < length(other); });
-  steps.erase(steps.begin()); // where it is
+  steps.erase(steps.begin()); // no step
   return steps;
 }
 
-/// The nearest coordinate beside it that a vertex can have and that is written as another number,
-/// mm. Near 0 single precision is finer than positions relative to the local origin; denormal
-/// numbers are left out, because many programs read them as 0.
+/// The nearest other coordinate, mm, that a vertex can have and that is written as another number.
+/// Near 0, single precision is finer than positions relative to the local origin. Denormal numbers
+/// are left out, because many programs read them as 0.
 double BesideInSingle(double position, int step, double origin)
 {
   const auto from = static_cast<float>(position);
@@ -60,7 +60,7 @@ public:
     this->Workspace.Change.Range.Last = editor.Mesh().NumberOfVertexSlots();
   }
 
-  std::vector<Index> Give()
+  std::vector<Index> SeparateAll()
   {
     std::vector<Index> later = this->FindCoincident();
     if (!later.empty())
@@ -78,8 +78,7 @@ public:
   }
 
 private:
-  /// Vertices whose rounded position is already taken. Vertices that cannot move take their
-  /// position first.
+  /// Vertices whose rounded position is taken. Vertices that cannot move take their position first.
   std::vector<Index> FindCoincident()
   {
     const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -113,14 +112,14 @@ private:
     return { p[0], p[1], p[2] };
   }
 
-  /// The nearest coordinate beside it that is written as another number, mm.
+  /// The nearest other coordinate that is written as another number, mm.
   double Beside(double from, int step, double origin) const
   {
     return this->Rounding.HasGrid() ? from + step * this->Rounding.GridStep
                                     : BesideInSingle(from, step, origin);
   }
 
-  /// Moves the vertex or, if that is rejected, the vertex that took the position first.
+  /// Moves the vertex or, if this is rejected, the vertex that took the position first.
   bool Separate(VertexId v)
   {
     VertexId& owner = this->Taken.find(this->RoundedPositionOf(v))->second;
@@ -151,7 +150,7 @@ private:
       });
   }
 
-  /// Unless it would be written where another one is.
+  /// Moves the vertex, unless another one is written at that position.
   bool Move(VertexId v, const Vector3& to)
   {
     const Vector3 position = to - this->Clean.Origin;
@@ -163,7 +162,7 @@ private:
   const Surface& Input;
   const CleanSurface& Clean;
   const PointRounding& Rounding;
-  std::map<RoundedPosition, VertexId> Taken; // by the first vertex there
+  std::map<RoundedPosition, VertexId> Taken; // the first vertex at each position
   EditWorkspace Workspace;
 };
 }
@@ -171,7 +170,7 @@ private:
 InputStatus SeparateCoincidentPoints(Editor& editor, const Surface& input,
   const CleanSurface& clean, const PointRounding& rounding, CleaningStatistics& found)
 {
-  const std::vector<Index> left = DistinctPositions(editor, input, clean, rounding).Give();
+  const std::vector<Index> left = DistinctPositions(editor, input, clean, rounding).SeparateAll();
   if (left.empty())
   {
     return InputStatus::Good;

@@ -4,9 +4,10 @@
  * @file DistinctPositions.h
  * @brief Separates vertices whose positions coincide after rounding.
  *
- * Readers merge coincident points. Two vertices with the same coordinates would then close a slit
- * in an open boundary, and the boundary of the file would differ from the proved one. So one of
- * them moves to an adjacent position, by a move that is checked and proved like any other.
+ * Readers merge coincident points. This would close a slit in an open boundary whose two sides have
+ * vertices with the same coordinates, and the boundary of the file would differ from the proved
+ * one. So one of the vertices moves to an adjacent position, by a move that is checked and proved
+ * like any other.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_DistinctPositions_h
 #define BoneDecimate_Core_Decimate_Stages_DistinctPositions_h
@@ -17,8 +18,8 @@
 namespace bonedecimate
 {
 /// Must be called after all other edits, from one thread.
-/// @param input The surface that `clean` was made from.
-/// @param found Receives the points that could not be separated; the status is then not good.
+/// @param input The surface before cleaning.
+/// @param found Receives the points that could not be separated; then the status is not good.
 InputStatus SeparateCoincidentPoints(Editor& editor, const Surface& input,
   const CleanSurface& clean, const PointRounding& rounding, CleaningStatistics& found);
 }

@@ -8,7 +8,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// The other diagonal must lower the error to that.
+/// The fraction to which the other diagonal must lower the error.
 constexpr double FlipBelow = 0.98;
 constexpr float Unknown = -1.0F;
 }
@@ -18,7 +18,8 @@ Index EdgeFlipper::Improve(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
   Index left = mesh.OutgoingOf(vertex).Count();
-  // Walked by hand: a flip takes its edge out of the ring and renames the one before.
+  // A loop over OutgoingOf() would fail: a flip takes its edge out of the ring and renames the
+  // previous one.
   Index flips = 0;
   for (HalfEdgeId h = mesh.Outgoing(vertex); left > 0 && h != None; --left)
   {
@@ -45,7 +46,8 @@ double EdgeFlipper::ErrorBefore(const HalfEdgeMesh& mesh, FaceId face)
 }
 
 //------------------------------------------------------------------------------
-/// No less than `enough` if that is reached on the way, or a sample is farther than its limit.
+/// The error after the flip. Not below `enough` if this is reached on the way or a sample is beyond
+/// its limit.
 double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
 {
   double error =
@@ -68,7 +70,7 @@ double EdgeFlipper::ErrorAfter(const Pair& after, double enough) const
 }
 
 //------------------------------------------------------------------------------
-/// Error of the edge between the faces, from one corner to another.
+/// The error of the edge between the faces, from one corner to another.
 double EdgeFlipper::ErrorOfChord(
   const Pair& pair, const std::array<Index, 4>& corners, std::size_t from, std::size_t to) const
 {
@@ -140,7 +142,7 @@ bool EdgeFlipper::TryFlip(HalfEdgeId edge)
 }
 
 //------------------------------------------------------------------------------
-/// Gives the samples of both faces to the nearer one.
+/// Gives each sample of both faces to the nearer one.
 void EdgeFlipper::HandOver(const Pair& after)
 {
   for (Index s :

@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeFlipper.h
- * @brief Flips an edge where the other diagonal of its two faces lies nearer to the samples of
- * both.
+ * @brief Flips an edge if the other diagonal of its two faces lies nearer to the samples of both.
  *
  *          c                     c
- *        / | \                 /   \       error before = samples of a-b-c to it + samples of b-a-d
- *                                          to it
- *       a  |  b      and      a-----b      error after  = all of them, each to the nearer of the
- *                                                       new faces
- *        \ | /                 \   /
- *          d                     d         (either may be before and the other after)
+ *        / | \                 /   \       error before = samples of a-b-c to that face
+ *       a  |  b      and      a-----b                     + samples of b-a-d to that face
+ *        \ | /                 \   /       error after  = all samples, each to the nearer of
+ *          d                     d                        the new faces
  *
- * Flipped if that lowers the error, that of the edge among it, by 2 % and turns no face away from
- * the original. H. Hoppe et al., Mesh Optimization, 1993.
+ * Either of the two may be the state before. The edge is flipped if this lowers the error, which
+ * includes the error of the edge, by 2 % and turns no face away from the original.
+ *
+ * H. Hoppe et al., Mesh optimization, 1993.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_EdgeFlipper_h
 #define BoneDecimate_Core_Decimate_Stages_EdgeFlipper_h
@@ -32,9 +31,9 @@ namespace bonedecimate
 class EdgeFlipper
 {
 public:
-  /// @param faceErrors For each face, squares of the mesh's unit, negative where unknown; common to
-  ///   all workers.
-  /// @param range What may be changed.
+  /// @param faceErrors The error of each face, squares of the mesh's unit, negative if unknown;
+  /// shared by all workers.
+  /// @param range The vertices that may be changed.
   EdgeFlipper(Editor& editor, Samples& samples, const OriginalHints& hints,
     std::vector<float>& faceErrors, VertexRange range, int workers)
     : MeshEditor(editor)
@@ -47,7 +46,7 @@ public:
     this->Workspace.Change.Workers = workers;
   }
 
-  /// Flips edges at the vertex; returns how many.
+  /// Flips edges at the vertex. Returns the number of flips.
   Index Improve(VertexId vertex);
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeOrder.h
- * @brief Costs and positions of edges from the quadrics of their ends, to select the edges worth
+ * @brief Costs and positions of edges by the quadrics of their ends, to select the edges worth
  * evaluating.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_EdgeOrder_h
@@ -27,13 +27,13 @@ struct RatedEdge
   }
 };
 
-/// Appends the edges from an inside vertex to inside vertices, rated. Quadrics must be kept.
-/// @param isOneWay Leave out edges to vertices with smaller ids.
+/// Appends the rated edges from an inner vertex to inner vertices. Quadrics must be up to date.
+/// @param isOneWay Leaves out edges to vertices with smaller ids.
 void RateEdges(
   const HalfEdgeMesh& mesh, VertexId vertex, bool isOneWay, std::vector<RatedEdge>& edges);
 
-/// The cheapest of the whole mesh, in an order that depends on it alone. False if the monitor
-/// requests a stop.
+/// The cheapest edges of the whole mesh, in an order that depends on the mesh alone. False if the
+/// monitor requests a stop.
 bool FindCheapest(const HalfEdgeMesh& mesh, std::size_t count, int threads, const Monitor& monitor,
   std::vector<RatedEdge>& edges);
 }

@@ -14,9 +14,9 @@ namespace bonedecimate
 namespace
 {
 constexpr int MaxRounds = 8;
-/// An edge as long as a bone halves to any useful length in fewer.
+/// An edge as long as a bone reaches any useful length in fewer passes.
 constexpr int MaxSplitPasses = 24;
-/// No further round after one that collapses and splits less than one edge for this many faces.
+/// No further round after one with less than one collapse or split for this many faces.
 constexpr std::int64_t MinOfRound = 256;
 }
 
@@ -30,7 +30,8 @@ EdgeSizer::EdgeSizer(Editor& editor, const ShapeLimits& limits, int threads)
 }
 
 //------------------------------------------------------------------------------
-/// Whether that is so of the ratio of an edge to its local length; true if there are none.
+/// Whether the predicate holds for the ratio of an edge to its local length; true if there are no
+/// local lengths.
 template <typename Predicate>
 bool EdgeSizer::IsLocally(HalfEdgeId edge, const Predicate& predicate)
 {
@@ -87,7 +88,7 @@ bool EdgeSizer::Collapse(Index faces, const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// Until none is left that may be split.
+/// Splits edges until none can be split.
 bool EdgeSizer::Split(Index faces, const Monitor& monitor)
 {
   if (!this->MeshEditor.PrepareSplits())
@@ -123,7 +124,7 @@ bool EdgeSizer::SplitOnce(Index faces, std::int64_t& splits, const Monitor& moni
 }
 
 //------------------------------------------------------------------------------
-/// Whether the edge was longer than is allowed where it is, and was split.
+/// Splits the edge if it is too long for its local length. Returns whether it was split.
 bool EdgeSizer::SplitInTheMiddle(HalfEdgeId edge)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

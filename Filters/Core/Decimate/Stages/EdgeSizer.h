@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EdgeSizer.h
- * @brief Brings the edges of a mesh to a length, or each to its own: the loop of Botsch and
- * Kobbelt, "A Remeshing Approach to Multiresolution Modeling" (2004).
+ * @brief Brings the edges of a mesh to the requested length, or each to its local one: the loop of
+ * Botsch and Kobbelt, A remeshing approach to multiresolution modeling, 2004.
  *
- *     a round:      collapse short edges, the shortest first; split long ones, the longest first;
+ *     a round:      collapse short edges, shortest first
+ *                   split long edges, longest first
  *                   flip and move
- *     at the end:   split what has become too long
+ *     at the end:   split edges that have become too long
  *
- * Rules and filters decide about every edit: where the error bound does not allow a collapse, edges
- * stay short. ShapeFilter.h lets no collapse make a long edge.
+ * Rules and filters decide about every edit: edges stay short where the error bound does not allow
+ * a collapse. ShapeFilter.h lets no collapse make a long edge.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_EdgeSizer_h
 #define BoneDecimate_Core_Decimate_Stages_EdgeSizer_h
@@ -25,11 +26,11 @@ namespace bonedecimate
 class EdgeSizer
 {
 public:
-  /// @param limits With a length and a least angle.
+  /// @param limits With a length and a smallest angle.
   EdgeSizer(Editor& editor, const ShapeLimits& limits, int threads);
 
   /// @param faces No collapse begins at that many faces or fewer, and no split makes more; 0: any
-  ///   number.
+  /// number.
   /// @return False if the monitor requests a stop.
   bool Run(Index faces, const Monitor& monitor);
 

@@ -27,8 +27,8 @@ std::vector<EdgeOfLength> EdgesByLength(const HalfEdgeMesh& mesh, double above, 
   std::sort(edges.begin(), edges.end(),
     [](const EdgeOfLength& a, const EdgeOfLength& b)
     {
-      return std::pair<double, Index>(a.Square, a.Edge) <
-        std::pair<double, Index>(b.Square, b.Edge);
+      return std::pair<double, Index>(a.SquaredLength, a.Edge) <
+        std::pair<double, Index>(b.SquaredLength, b.Edge);
     });
   return edges;
 }

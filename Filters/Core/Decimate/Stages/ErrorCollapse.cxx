@@ -11,12 +11,12 @@ namespace bonedecimate
 {
 namespace
 {
-/// Least number of edges to evaluate.
+/// Minimum number of edges to evaluate.
 constexpr std::size_t MinEdges = 512;
-/// Factor of the number of edges after all were rejected.
+/// Factor by which the number of edges grows after all were rejected.
 constexpr std::size_t MoreEdges = 4;
 constexpr Index TargetBlocks = 32;
-/// Fewer collapses than that are not worth blocks.
+/// Fewer collapses are not worth blocks.
 constexpr std::size_t MinForBlocks = 1024;
 }
 
@@ -101,7 +101,7 @@ bool ErrorCollapse::EvaluateCheapest(std::size_t count, const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// The cost with no more than that many edges at or below it.
+/// The cost with no more than that many edges up to it.
 double ErrorCollapse::LimitFor(std::size_t collapses) const
 {
   std::vector<double> costs;
@@ -130,7 +130,7 @@ std::vector<ErrorBlock> ErrorCollapse::Blocks(Index size, Index shift) const
 }
 
 //------------------------------------------------------------------------------
-/// Twice, the second time with blocks shifted by half of one.
+/// Collapses in blocks, then in blocks shifted by half.
 bool ErrorCollapse::CollapseBlocks(const Monitor& monitor)
 {
   const Index size = this->MeshEditor.Mesh().NumberOfVertexSlots() / TargetBlocks + 2;
@@ -185,7 +185,7 @@ bool ErrorCollapse::CollapseRound(Index size, Index shift, const Monitor& monito
 //------------------------------------------------------------------------------
 bool ErrorCollapse::CollapseRest(const Monitor& monitor)
 {
-  constexpr std::size_t edgesPerReport = 8; // edges
+  constexpr std::size_t edgesPerReport = 8;
   ErrorBlock whole;
   whole.MaxQuadricCost = this->MaxQuadricCost;
   ErrorQueue queue(this->MeshEditor, this->OriginalSamples, this->Hints, this->Errors, whole);

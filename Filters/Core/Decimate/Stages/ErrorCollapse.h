@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ErrorCollapse.h
- * @brief The last collapses, in the order of their change of the sampled two-sided error.
+ * @brief The last collapses, in the order of their change of the sampled error in both directions.
  *
- *     evaluate the cheapest inside edges by their quadrics, several for each remaining collapse
- *       (FanFit)
- *     limit = the cost with no more edges below it than collapses remain
- *     every block of consecutive vertices, on any thread, then every block half a block further:
- *         collapse its edges below the limit, cheapest first, at most as many as lay below it
- *           (ErrorQueue)
- *     on one thread:  collapse what is left, cheapest first, down to the exact number
+ *     evaluate the cheapest inner edges by quadrics, several per remaining collapse   (FanFit)
+ *     limit = the cost with no more edges up to it than collapses remain
+ *     in parallel, blocks of consecutive vertices, then blocks shifted by half:
+ *         collapse edges up to the limit, cheapest first, no more than were below it  (ErrorQueue)
+ *     on one thread:  collapse the rest, cheapest first, to the exact number
  *
- * Limit, blocks and allowances depend on the mesh alone, so that the number of threads does not
- * change the result. Edges at open boundaries and constrained parts are left to the other order.
+ * Limit, blocks and allowances depend on the mesh alone, so the number of threads does not change
+ * the result. Edges at open boundaries and constrained parts are left to BucketSweep.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ErrorCollapse_h
 #define BoneDecimate_Core_Decimate_Stages_ErrorCollapse_h
@@ -27,13 +25,13 @@ namespace bonedecimate
 class ErrorCollapse
 {
 public:
-  /// @param editor Must keep quadrics, and they must be right.
-  /// @param edgesOfCollapse Number of edges first evaluated for each remaining collapse.
+  /// @param editor Must keep quadrics, and they must be up to date.
+  /// @param edgesOfCollapse Number of edges first evaluated per remaining collapse.
   ErrorCollapse(
     Editor& editor, Samples& samples, OriginalHints& hints, int edgesOfCollapse, int threads);
 
-  /// Down to that many faces, or until no edge may be collapsed. False if the monitor requests a
-  /// stop.
+  /// Collapses down to that many faces, or until no edge can be collapsed. False if the monitor
+  /// requests a stop.
   bool Run(Index faces, const Monitor& monitor);
 
 private:
@@ -51,9 +49,9 @@ private:
   SampledErrors Errors;
   std::size_t EdgesOfCollapse;
   int Threads;
-  Index TargetFaces = 0;            // faces
-  float MaxQuadricCost = 0.0F;      // by quadrics, of the evaluated edges
-  std::vector<EvaluatedEdge> Edges; // waiting
+  Index TargetFaces = 0;
+  float MaxQuadricCost = 0.0F;      // largest of the evaluated edges, by quadrics
+  std::vector<EvaluatedEdge> Edges; // not yet collapsed
 };
 }
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ErrorQueue.h
- * @brief Collapses edges of a block of vertices in the order of their change of the sampled
- * two-sided error.
+ * @brief Collapses edges of a block of vertices in the order of their change of the sampled error
+ * in both directions.
  *
  *     take the cheapest edge
- *     its surroundings changed since its evaluation:     evaluate it again, put it back
- *     its ring leaves the block:                         left over
- *     else:   collapse it, pass its samples to the faces of the fan, evaluate the edges of the
- *             merged vertex
+ *     its surroundings have changed since its evaluation:   evaluate it again, put it back
+ *     its ring leaves the block:                            add it to the remaining edges
+ *     otherwise:   collapse it, pass its samples to the faces of the fan, and evaluate the edges
+ *                  of the merged vertex
  *
  * A vertex whose ring leaves its block is never merged or moved. So no other worker changes
  * anything around an edge with both ends in the block, and blocks may be processed in parallel.
@@ -27,7 +27,7 @@
 
 namespace bonedecimate
 {
-/// An edge with what its collapse would cost.
+/// An edge and the cost of its collapse.
 struct EvaluatedEdge
 {
   double Cost = 0.0; // error after - error before, squares of the mesh's unit
@@ -37,14 +37,14 @@ struct EvaluatedEdge
   std::uint32_t Stamp = 0;
   Vector3 Position = Vector3::Zero(); // mm from the local origin
 
-  /// A queue has the cheapest on top, then the least edge.
+  /// Puts the cheapest edge on top of a queue; equal ones by id.
   bool operator<(const EvaluatedEdge& other) const
   {
     return this->Cost != other.Cost ? this->Cost > other.Cost : this->Edge > other.Edge;
   }
 };
 
-/// Vertices [First, Last), and what may be done there.
+/// Vertices [First, Last), and limits for their collapses.
 struct ErrorBlock
 {
   Index First = 0;
@@ -62,18 +62,18 @@ public:
   ErrorQueue(Editor& editor, Samples& samples, OriginalHints& hints, SampledErrors& errors,
     const ErrorBlock& block);
 
-  /// False if the edge may not be collapsed.
+  /// Evaluates the edge. False if it cannot be collapsed.
   bool Evaluate(const RatedEdge& edge, EvaluatedEdge& evaluated);
 
   void Add(const EvaluatedEdge& edge) { this->Queue.push(edge); }
 
-  /// @param beforeEdge Requested with the number of collapses so far, before each edge; false ends it.
+  /// @param beforeEdge Called with the number of collapses so far. Returns whether to continue.
   template <typename BeforeEdge>
   void Run(const BeforeEdge& beforeEdge);
 
-  /// Evaluated edges that this block may not collapse.
+  /// Evaluated edges that are not collapsed in this block.
   const std::vector<EvaluatedEdge>& RemainingEdges() const { return this->Remaining; }
-  /// Totals of the collapses, for Editor::Settle.
+  /// Counts of the collapses, for Editor::Settle.
   Tally& Counts() { return this->Workspace.Counts; }
 
 private:

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FaceError.h
- * @brief How far the samples of a face lie from it, and how far it may turn away from the original.
+ * @brief The error of a face by its samples, and limits for how far it may turn away from the
+ * original.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FaceError_h
 #define BoneDecimate_Core_Decimate_Stages_FaceError_h
@@ -14,23 +15,23 @@
 
 namespace bonedecimate
 {
-/// Cosine between a face and the original (78 degrees) below which flips and moves may not turn it
-/// farther away.
+/// Cosine of the angle between a face and the original (78 degrees) below which flips and moves may
+/// not turn the face farther away.
 constexpr double MinFacing = 0.2;
 
-/// Whether two faces fold by more than 90 degrees: there the edge between them may be a chord,
-/// which lies far from the original without any sample to see it.
+/// Whether two faces fold by more than 90 degrees. Then the edge between them may be a chord that
+/// lies far from the original without any sample near it.
 inline bool FoldSharply(const Vector3& oneNormal, const Vector3& otherNormal)
 {
   return Dot(oneNormal, otherNormal) < 0.0;
 }
 
-/// Points at which chords are measured, as fractions of the edge.
+/// The points of chords that are measured, as fractions of the edge.
 constexpr std::array<double, 2> ChordFractions = { 1.0 / 3.0, 2.0 / 3.0 };
 
-/// The part of the error of SampledErrorCost.h that is due to its samples and its shape, squares of
-/// the mesh's unit.
-/// @param frame The face as it is, or as it would be.
+/// The part of the error of SampledErrorCost.h that is due to the samples and the shape of a face,
+/// squares of the mesh's unit.
+/// @param frame The face as it is, or after an edit.
 inline double ErrorOfFace(
   const Samples& samples, const ErrorPenalty& penalty, FaceId face, const TriangleFrame& frame)
 {
@@ -44,8 +45,8 @@ inline double ErrorOfFace(
   return error;
 }
 
-/// The same; infinite if a sample is farther from the frame than its limit: a proof would hardly
-/// ever succeed.
+/// The same, but infinite if a sample is farther from the frame than its limit: a proof would
+/// hardly ever succeed.
 inline double ErrorWithinLimits(
   const Samples& samples, const ErrorPenalty& penalty, FaceId face, const TriangleFrame& frame)
 {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FaceShape.h
- * @brief The smallest angle of a face of the mesh, and what edits for the sake of angles have in
- * common.
+ * @brief The smallest angle of a face of the mesh, and a constant of edits that enlarge angles.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FaceShape_h
 #define BoneDecimate_Core_Decimate_Stages_FaceShape_h
@@ -13,7 +12,7 @@
 
 namespace bonedecimate
 {
-/// By how much an edit has to lower the cosine of a smallest angle to be worth its proof.
+/// The decrease of the cosine of a smallest angle that makes an edit worth its proof.
 constexpr double MinGainOfCosine = 0.002;
 
 inline double CosineOfFace(const HalfEdgeMesh& mesh, FaceId face)

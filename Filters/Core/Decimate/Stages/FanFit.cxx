@@ -52,7 +52,7 @@ void FanFit::Build(const EdgeNeighborhood& around, const Vector3& x)
 }
 
 //------------------------------------------------------------------------------
-/// @param step Gets the normal equations if it is there.
+/// @param step Receives the normal equations; may be null.
 FanFit::Result FanFit::EvaluateAt(const EdgeNeighborhood& around, const Vector3& x, FitStep* step)
 {
   this->Build(around, x);
@@ -76,7 +76,8 @@ FanFit::Result FanFit::EvaluateAt(const EdgeNeighborhood& around, const Vector3&
 }
 
 //------------------------------------------------------------------------------
-/// And the shapes of its faces. Looked for near both ends.
+/// Adds the terms of the vertex and of the shapes of its faces. The nearest point is searched from
+/// the hints of both ends.
 void FanFit::AddVertex(const EdgeNeighborhood& around, Result& result, FitStep* step) const
 {
   const PointOnMesh atStart = this->Hints.Find(result.Position, around.Start);

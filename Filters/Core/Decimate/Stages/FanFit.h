@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FanFit.h
- * @brief What a collapse would do to the sampled two-sided error, and where its vertex should go.
+ * @brief The change of the sampled error by a collapse, and the best position of the merged vertex.
  *
  *     gather the samples of all faces at the edge
- *     x = where the quadrics of the ends are least
- *     x' = x + one Gauss-Newton step on the samples, each on its face of the fan around x
- *     the better of the two                                    (by the error of SampledErrorCost.h)
+ *     x  = the minimum of the quadrics of the ends
+ *     x' = x + one Gauss-Newton step by the samples, each on its face of the fan around x
+ *     take the better position                              (error of SampledErrorCost.h)
  *
- * A sample is looked for in the new face that replaces its old one, and on from there round the fan
- * while its distance falls.
+ * A sample is first assigned to the new face that replaces its old one, and moves on around the fan
+ * while its distance decreases.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FanFit_h
 #define BoneDecimate_Core_Decimate_Stages_FanFit_h
@@ -40,14 +40,13 @@ public:
   {
     double Error = 0.0; // of the new fan, squares of the mesh's unit
     Vector3 Position = Vector3::Zero();
-    Index Hint = None;        // the original triangle near the position
+    Index Hint = None;        // an original triangle near the position
     double VertexError = 0.0; // the part of Error that is due to the vertex
   };
-  /// @param around Gathered for an edge whose ends are both inside.
-  /// @param position A candidate for its vertex.
+  /// @param around That of an edge with two inner ends.  @param position Initial position, x.
   Result Evaluate(const EdgeNeighborhood& around, const Vector3& position);
 
-  /// After Evaluate: for each sample of the old faces, which face of the fan it belongs to.
+  /// A sample of the old faces and the face of the fan that it belongs to, after Evaluate().
   struct Member
   {
     Index Sample;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FanSearch.h
- * @brief The face of a closed fan that is nearest to a point, searched from a face on while the
- * distance falls.
+ * @brief Finds the face of a closed fan nearest to a point, by walking from a face on while the
+ * distance decreases.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FanSearch_h
 #define BoneDecimate_Core_Decimate_Stages_FanSearch_h
@@ -14,8 +14,8 @@
 
 namespace bonedecimate
 {
-/// @param frames The faces in order around the vertex, which is corner A of each.
-/// @param slot Where to start; returns the face.
+/// @param frames The faces in order around the vertex, which is corner A of each.  @param slot The
+/// face to start at; becomes the nearest one.
 inline TriangleFrame::Point FindInFan(
   const std::vector<TriangleFrame>& frames, const Vector3& p, std::size_t& slot)
 {
@@ -41,9 +41,8 @@ inline TriangleFrame::Point FindInFan(
   return best;
 }
 
-/// The same, and among all faces where that ends at the vertex, at which all faces are equally
-/// near, or at the outer edge of a face: a fan need not be convex, so the distance may rise from
-/// face to face before it falls.
+/// The same, but searches all faces if the walk ends at the vertex, where all faces are equally
+/// near, or at an outer edge: a fan need not be convex, so the distance may rise before it falls.
 inline TriangleFrame::Point FindInWholeFan(
   const std::vector<TriangleFrame>& frames, const Vector3& p, std::size_t& slot)
 {

@@ -12,10 +12,10 @@ namespace
 {
 constexpr Index PassesForAll = 4;
 constexpr int MaxPasses = 16;
-constexpr Index CandidatesPerReport = 256; // to the monitor
+constexpr Index CandidatesPerReport = 256;
 
-/// The half-edge of the boundary of v's patch between v and a duplicate of the other original
-/// vertex; None if there is none.
+/// The boundary half-edge between v and a duplicate of the other original vertex; None if there is
+/// none.
 HalfEdgeId BoundaryEdgeTo(const HalfEdgeMesh& mesh, VertexId v, VertexId original)
 {
   if (mesh.IsConstrained(v) || !mesh.IsOnBoundary(v))
@@ -33,8 +33,8 @@ HalfEdgeId BoundaryEdgeTo(const HalfEdgeMesh& mesh, VertexId v, VertexId origina
                                                              : HalfEdgeId();
 }
 
-/// The collapse onto the other original vertex in each patch at the removed one. Empty unless the
-/// two are joined by one edge in each patch.
+/// Collapses of the removed vertex onto the other one, one per patch. Empty unless the two are
+/// joined by one edge in each patch.
 void FindEdits(const HalfEdgeMesh& mesh, VertexId gone, VertexId stays, std::vector<Edit>& edits)
 {
   edits.clear();
@@ -112,7 +112,7 @@ FeatureCurveCollapse::Result FeatureCurveCollapse::Run(
 }
 
 //------------------------------------------------------------------------------
-/// Cheapest first; of equal ones the shorter.
+/// Lists candidates by deviation, equal ones by length.
 void FeatureCurveCollapse::ListCandidates(double maxDeviation, Result& result)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -199,7 +199,7 @@ bool FeatureCurveCollapse::TryRemove(Index index, Index faces)
 bool FeatureCurveCollapse::CollapseOnto(VertexId gone, VertexId stays, Index faces)
 {
   FindEdits(this->MeshEditor.Mesh(), gone, stays, this->Edits);
-  const auto removed = static_cast<Index>(this->Edits.size()); // a face each
+  const auto removed = static_cast<Index>(this->Edits.size()); // each removes one face
   return removed > 0 && this->MeshEditor.Mesh().NumberOfFaces() - removed >= faces &&
     this->MeshEditor.Try(this->Edits).IsAccepted();
 }

@@ -4,16 +4,16 @@
  * @file FeatureCurveCollapse.h
  * @brief Collapses the curves along which manifold patches meet, along the curve only.
  *
- *     a pass:   each removable vertex of a curve, by the deviation of the curve without it
- *               beyond the bound, or next to a vertex removed in this pass: not in this pass
- *               three curves would become a triangle: never
- *               onto the nearer of its two neighbors, else onto the other: the same edge in every
- *                 patch (Editor::Try)
- *     passes until enough are removed; each may remove a quarter at most, so that deviations are
- *       computed again
+ *     a pass, over the removable vertices, by the deviation of the curve without the vertex:
+ *         above the maximum, or next to a vertex removed in this pass:    not in this pass
+ *         three curves would become a triangle:                           never
+ *         otherwise, onto the nearer neighbor, else onto the other one:   collapse the same edge in
+ *                                                                         every patch (Editor::Try)
+ *     passes until enough vertices are removed; each removes a quarter of them at most, so that
+ *     deviations are computed again
  *
- * The remaining vertices of a curve are points of the input. The curves have few vertices, so this
- * is not parallel.
+ * The remaining vertices of a curve are points of the input. Curves have few vertices, so this runs
+ * on one thread.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FeatureCurveCollapse_h
 #define BoneDecimate_Core_Decimate_Stages_FeatureCurveCollapse_h
@@ -36,13 +36,13 @@ public:
   struct Targets
   {
     Index Edges = 0;           ///< Number of curve edges to reach.
-    Index Faces = 0;           ///< Least number of faces of the mesh.
-    double MaxDeviation = 0.0; ///< mm, of the deviation of a curve from the original one.
+    Index Faces = 0;           ///< Minimum number of faces of the mesh.
+    double MaxDeviation = 0.0; ///< mm, from the initial curve.
   };
   struct Result
   {
     Index Removed = 0;      ///< Number of original vertices removed.
-    bool IsLimited = false; ///< A larger bound would allow more.
+    bool IsLimited = false; ///< A larger deviation would allow more.
     bool IsAborted = false;
   };
 
@@ -65,7 +65,7 @@ private:
   Editor& MeshEditor;
   PatchBoundaries& FeatureCurves;
   std::vector<Candidate> Candidates;
-  std::vector<char> WasTouched; // of each index, in this pass
+  std::vector<char> WasTouched; // for each index of a curve vertex, in this pass
   std::vector<Edit> Edits;
   std::vector<Index> BesideBefore; // original vertices
   std::vector<Index> BesideAfter;

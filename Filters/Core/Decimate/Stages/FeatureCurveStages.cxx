@@ -73,7 +73,7 @@ void FeatureCurveStages::BeginStage(Index faces)
   this->StageTargets = { faces, faces == this->RunTargets.Faces ? this->RunTargets.Error : 0.0 };
   this->StageMonitor = [this, from, to](double done)
   {
-    this->Reported = std::max(this->Reported, from + done * (to - from)); // never less than before
+    this->Reported = std::max(this->Reported, from + done * (to - from)); // never decreases
     return this->RunMonitor(this->Reported);
   };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FeatureCurveStages.h
- * @brief Divides a run into stages and simplifies the curves along which patches meet before each
+ * @brief Divides a run into stages, and simplifies the curves along which patches meet before each
  * stage.
  *
  *     FeatureCurveStages stages(editor, stops, monitor)
@@ -10,11 +10,10 @@
  *         stages.NoteEnd(run to stages.Targets() with stages.Progress())
  *
  *     no curves: one stage
- *     stage:     a quarter of the faces, or the target if that is more
- *                simplify the curves to edges in proportion to the square root of the faces, while
- *                  their deviation stays
- *                    within half of the mean edge, so that curves and surface have a similar
- *                      resolution
+ *     a stage:   faces = a quarter of the faces, or the target if this is more
+ *                simplify the curves to edges in proportion to the square root of the faces,
+ *                  with a deviation up to half of the mean edge, so that curves and surface
+ *                  have a similar resolution
  *                run down to the faces of the stage
  *     the run is stuck:  continue with coarser curves until they are stuck, too
  *
@@ -36,13 +35,13 @@ public:
   /// @param monitor Must outlive this.
   FeatureCurveStages(Editor& editor, const StopTargets& stops, const Monitor& monitor);
 
-  /// Simplifies the curves for the next stage. False if there is none or the monitor requests a
-  /// stop.
+  /// Simplifies the curves for the next stage. False if there is no next stage or the monitor
+  /// requests a stop.
   bool Next();
   const StopTargets& Targets() const { return this->StageTargets; }
-  /// Maps fractions of the stage to those of the run.
+  /// Maps fractions of the stage to fractions of the run.
   const Monitor& Progress() const { return this->StageMonitor; }
-  /// Why the run of the stage ended.
+  /// Tells why the run of the stage ended.
   void NoteEnd(StopReason reason);
   StopReason Reason() const { return this->LastReason; }
 
@@ -58,9 +57,9 @@ private:
   StopTargets StageTargets;
   const Monitor& RunMonitor;
   Monitor StageMonitor;
-  std::optional<FeatureCurveCollapse> FeatureCurves; // none: no curves
+  std::optional<FeatureCurveCollapse> FeatureCurves; // only if there are curves
   Index InitialFaces;
-  double Ratio;              // of the faces that there were before the first edit
+  double Ratio;              // faces of the stage to initial faces
   Index RemovedVertices = 0; // since the last stage
   double Reported = 0.0;
   bool ShouldContinue = true;

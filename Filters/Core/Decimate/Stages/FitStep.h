@@ -5,12 +5,13 @@
  * @brief The normal equations of one vertex that is fitted to points near its faces: one
  * Gauss-Newton step.
  *
- *     with b the vertex's barycentric coordinate of the nearest point, r the residual vector, n its
- *       direction:
  *     H = sum weight b^2 n n^T + damping,   g = sum weight b (n . r) n,   step = H^-1 g
  *
- * H. Hoppe et al., Mesh Optimization, 1993: samples are fitted with constant nearest points. A.
- * Fitzgibbon, Robust Registration of 2D and 3D Point Sets, 2003: distances to planes instead of
+ *     b   barycentric coordinate of the vertex at the nearest point
+ *     r   residual vector        n   its direction
+ *
+ * H. Hoppe et al., Mesh optimization, 1993: samples are fitted with constant nearest points. A.
+ * Fitzgibbon, Robust registration of 2D and 3D point sets, 2003: distances to planes instead of
  * points allow longer steps.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_FitStep_h
@@ -30,8 +31,8 @@ class FitStep
 public:
   void Clear() { *this = {}; }
 
-  /// A sample, which attracts the surface. The vertex is corner A of the frame.
-  /// @param nearest The nearest point to p on the frame's triangle.
+  /// Adds a sample, which attracts the surface. The vertex is corner A of the frame.
+  /// @param nearest The point of the frame nearest to p.
   void AddSample(const Vector3& p, const TriangleFrame& frame, const TriangleFrame::Point& nearest,
     double weight)
   {
@@ -41,21 +42,20 @@ public:
       this->Add(p - frame.At(nearest), frame, nearest, fraction, weight);
     }
   }
-  /// The vertex itself, which is attracted to the nearest point of the original triangle of the
-  /// frame.
+  /// Adds the vertex, which is attracted to the nearest point of an original triangle, the frame.
   void AddVertex(const Vector3& vertex, const TriangleFrame& frame,
     const TriangleFrame::Point& nearest, double weight)
   {
     this->Add(frame.At(nearest) - vertex, frame, nearest, 1.0, weight);
   }
-  /// A point on an edge at the vertex, as above.  @param fraction The fraction of the vertex.
+  /// Adds a point on an edge at the vertex, likewise. @param fraction Weight of the vertex.
   void AddOnEdge(const Vector3& point, const TriangleFrame& frame,
     const TriangleFrame::Point& nearest, double fraction, double weight)
   {
     this->Add(frame.At(nearest) - point, frame, nearest, fraction, weight);
   }
 
-  /// The shape of a triangle with the vertex as corner A.
+  /// Adds the shape of a triangle with the vertex as corner A.
   void AddShape(const ShapePenalty::Slope& slope)
   {
     this->Pull += slope.Pull;
@@ -78,21 +78,21 @@ public:
     return damped.inverse() * this->Pull;
   }
 
-  /// By how much the sum of weighted squares would fall if it were what the equations say.
+  /// The decrease of the sum of weighted squares that the equations predict.
   double Gain(const Vector3& step) const { return Dot(step, this->Pull); }
 
 private:
-  void Add(const Vector3& way, const TriangleFrame& frame, const TriangleFrame::Point& nearest,
+  void Add(const Vector3& residual, const TriangleFrame& frame, const TriangleFrame::Point& nearest,
     double fraction, double weight)
   {
     if (nearest.Clamped == 0)
     {
-      this->AddAlong(frame.UnitNormal(), Dot(frame.UnitNormal(), way), fraction, weight);
+      this->AddAlong(frame.UnitNormal(), Dot(frame.UnitNormal(), residual), fraction, weight);
     }
     else if (nearest.SquaredDistance > 0.0)
     {
       const double length = std::sqrt(nearest.SquaredDistance);
-      this->AddAlong(way / length, length, fraction, weight);
+      this->AddAlong(residual / length, length, fraction, weight);
     }
   }
 

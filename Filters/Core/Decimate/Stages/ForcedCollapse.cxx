@@ -56,7 +56,7 @@ bool ForcedCollapse::Run(Index faces, const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// Candidates near changes are found again.
+/// Drops candidates near changes; Find() adds them again.
 void ForcedCollapse::DropChanged()
 {
   const auto isChanged = [this](const SlackCandidate& candidate)
@@ -69,7 +69,7 @@ void ForcedCollapse::DropChanged()
 }
 
 //------------------------------------------------------------------------------
-/// They no longer wait.
+/// Takes candidates without a common neighborhood from the waiting ones.
 std::vector<ForcedCollapse::Trial> ForcedCollapse::Choose()
 {
   std::sort(this->WaitingCandidates.begin(), this->WaitingCandidates.end());
@@ -101,7 +101,8 @@ std::vector<ForcedCollapse::Trial> ForcedCollapse::Choose()
 }
 
 //------------------------------------------------------------------------------
-/// The vertices of all faces that may change, sorted. False if the edge may not be collapsed.
+/// Gathers the vertices of all faces that may change, sorted. False if the edge cannot be
+/// collapsed.
 bool ForcedCollapse::Gather(const SlackCandidate& candidate, std::vector<Index>& vertices)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

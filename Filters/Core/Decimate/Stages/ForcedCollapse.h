@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ForcedCollapse.h
- * @brief Collapses that exceed the error bound at first, together with moves around them that keep
- * it (PatchFit.h).
+ * @brief Collapses that would exceed the error bound, together with moves and flips around them
+ * that keep it (PatchFit.h).
  *
- *     a round:   evaluate the edges near changes: those whose largest ratio is at most a given one
- *       (SlackCandidates.h)
- *                choose candidates without a common neighborhood, the least ratio first
- *                in parallel:     find moves that keep the bound, on copies            (PatchFit.h)
- *                on one thread:   apply what was found, each collapse with its moves as one proved
- *                  edit   (Editor::Try)
+ *     a round:
+ *         evaluate the edges near changes, up to a maximum ratio             (SlackCandidates)
+ *         choose candidates without common neighborhoods, smallest ratio first
+ *         in parallel:     find edits that keep the bound, on copies         (PatchFit)
+ *         on one thread:   apply each collapse with its edits as one change  (Editor::Try)
  *     rounds until no candidate is left
  *
- * A candidate that fails is tried again only when something near it has changed.
+ * A candidate that fails is tried again only after something near it has changed.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ForcedCollapse_h
 #define BoneDecimate_Core_Decimate_Stages_ForcedCollapse_h
@@ -28,18 +27,18 @@ namespace bonedecimate
 {
 struct ForcedReach
 {
-  double MaxRatio; ///< The largest ratio of a candidate.
-  int Rings;       ///< Rings of vertices around it that may move.
+  double MaxRatio; ///< Maximum ratio of a candidate.
+  int Rings;       ///< Rings of vertices around the edge that may move.
 };
 
 class ForcedCollapse
 {
 public:
-  /// @param editor Must keep quadrics, and they must be right.
+  /// @param editor Must keep quadrics, and they must be up to date.
   ForcedCollapse(
     Editor& editor, Samples& samples, OriginalHints& hints, ForcedReach reach, int threads);
 
-  /// Down to that many faces at most. False if the monitor requests a stop.
+  /// Collapses down to that many faces at most. False if the monitor requests a stop.
   bool Run(Index faces, const Monitor& monitor);
   const ForcedCollapseFigures& Report() const { return this->Figures; }
 
@@ -47,7 +46,7 @@ private:
   struct Trial
   {
     SlackCandidate Candidate;
-    std::vector<Index> Vertices = {}; // that the edit may read
+    std::vector<Index> Vertices = {}; // those of all faces that may change
     PatchFit::Result Fit = {};
   };
   void DropChanged();
@@ -65,7 +64,7 @@ private:
   ForcedCollapseFigures Figures;
   EditWorkspace Workspace;
   std::vector<SlackCandidate> WaitingCandidates;
-  std::vector<char> IsTaken; // of each vertex, in this round
+  std::vector<char> IsTaken; // for each vertex, in this round
 };
 }
 

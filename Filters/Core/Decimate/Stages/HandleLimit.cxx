@@ -20,7 +20,7 @@ void VisitHalfEdges(const HalfEdgeMesh& mesh, const Visit& visit)
   }
 }
 
-/// The half-edge without a twin that begins where this one ends.
+/// The half-edge without a twin that begins at the end of this one.
 HalfEdgeId NextOnBoundary(const HalfEdgeMesh& mesh, HalfEdgeId h)
 {
   h = HalfEdgeMesh::Next(h);
@@ -50,7 +50,7 @@ Index NumberOfBoundaryLoops(const HalfEdgeMesh& mesh)
   return loops;
 }
 
-/// By Euler's formula. 0 with duplicates: patches have no components of their own.
+/// By Euler's formula. 0 if there are duplicates, because patches have no components of their own.
 Index NumberOfHandles(const Editor& editor)
 {
   const HalfEdgeMesh& mesh = editor.Mesh();

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file HandleLimit.h
- * @brief Whether the handles of a surface are why no collapse is left.
+ * @brief Whether the handles of a surface prevent further collapses.
  *
- * A handle keeps at least three edges around it and three through it. Where handles are many, most
- * edges end on such a loop: the collapse of one would close a handle or pinch the surface.
+ * A handle needs at least three edges around it and three through it. Where handles are many, most
+ * edges connect two vertices of such a loop: their collapse would close a handle or pinch the
+ * surface.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_HandleLimit_h
 #define BoneDecimate_Core_Decimate_Stages_HandleLimit_h
@@ -15,7 +16,7 @@
 namespace bonedecimate
 {
 /// Whether the surface has handles, and the collapse of at least half of its edges would change the
-/// topology. False for a surface with non-manifold points or labels: its handles are not counted.
+/// topology. False for a surface with non-manifold points or labels, whose handles are not counted.
 bool AreHandlesInTheWay(const Editor& editor);
 }
 

@@ -11,12 +11,12 @@ namespace bonedecimate
 namespace
 {
 constexpr int MaxSweeps = 8;
-/// A vertex whose faces use less of the bound stays.
+/// A vertex whose faces have a smaller ratio does not move.
 constexpr double RatioToMove = 0.9;
-/// A little less than the bound: what the samples miss.
+/// A little less than the bound, for what the samples miss.
 constexpr double MaxProposedRatio = 0.99;
-/// A sweep must gain that much of the largest ratio, and the rest must be within reach of the
-/// sweeps that are left.
+/// The relative gain that a sweep must reach. The excess must not be larger than what the remaining
+/// sweeps gain, times a factor.
 constexpr double MinGainOfSweep = 0.002;
 constexpr double MaxGainsNeeded = 1.2;
 }
@@ -68,7 +68,7 @@ void PatchFit::Copy(const EdgeNeighborhood& around, const SlackCandidate& candid
 }
 
 //------------------------------------------------------------------------------
-/// The ring of a vertex beside the edge, as after the collapse.
+/// Copies the ring of a vertex beside the edge, as after the collapse.
 void PatchFit::CopyRing(VertexId vertex, const EdgeNeighborhood& around)
 {
   const auto merged = [&](VertexId v) { return v == around.End ? around.Start : v; };
@@ -108,7 +108,7 @@ void PatchFit::CopySamples(const EdgeNeighborhood& around)
 }
 
 //------------------------------------------------------------------------------
-/// Its position in the copy, where it is added if it is new.
+/// The index of the face in the copy, to which it is added if it is new.
 std::size_t PatchFit::FaceOf(Index id)
 {
   const auto known = std::find_if(
@@ -122,7 +122,7 @@ std::size_t PatchFit::FaceOf(Index id)
 }
 
 //------------------------------------------------------------------------------
-/// The same of a vertex.
+/// The same for a vertex.
 std::size_t PatchFit::VertexOf(Index id)
 {
   const auto known = std::find_if(this->Vertices.begin(), this->Vertices.end(),
@@ -154,8 +154,7 @@ SlackFit::Value PatchFit::Evaluate(const Vertex& vertex, const Vector3& position
 }
 
 //------------------------------------------------------------------------------
-/// Gives the samples to the faces where the last evaluation found them: those of the merged vertex
-/// have other faces than before.
+/// Gives the samples to the faces where the last evaluation found them.
 void PatchFit::HandOver(const Vertex& vertex)
 {
   for (const Corner& corner : vertex.Fan)
@@ -169,7 +168,7 @@ void PatchFit::HandOver(const Vertex& vertex)
 }
 
 //------------------------------------------------------------------------------
-/// Those that the rules do not allow in place of the faces of the mesh.
+/// The number of faces that the rules do not allow in place of those of the mesh.
 Index PatchFit::NumberOfBadFaces(const Vertex& vertex) const
 {
   return static_cast<Index>(std::count_if(vertex.Fan.begin(), vertex.Fan.end(),
@@ -182,7 +181,7 @@ Index PatchFit::NumberOfBadFaces(const Vertex& vertex) const
 }
 
 //------------------------------------------------------------------------------
-/// Moves the vertex if that helps.  @return The largest ratio of its faces.
+/// Moves the vertex if this lowers the error. @return The largest ratio of its faces.
 double PatchFit::Improve(Vertex& vertex)
 {
   const SlackFit::Value before = this->Evaluate(vertex, vertex.Position, Infinity);
@@ -206,7 +205,7 @@ double PatchFit::Improve(Vertex& vertex)
 }
 
 //------------------------------------------------------------------------------
-/// Infinite if the rules do not allow a face.
+/// The largest ratio of all faces; infinite if the rules do not allow a face.
 double PatchFit::MaxRatio()
 {
   double largest = 0.0;
@@ -224,7 +223,7 @@ double PatchFit::MaxRatio()
 }
 
 //------------------------------------------------------------------------------
-/// Moves every vertex and flips edges at those where that does not suffice.
+/// Moves every vertex, and flips edges at those where this does not suffice.
 /// @return The largest ratio.
 double PatchFit::Sweep()
 {

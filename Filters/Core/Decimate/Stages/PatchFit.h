@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PatchFit.h
- * @brief Tries a collapse that exceeds the error bound, and edits around it until the bound is
+ * @brief Tries a collapse that exceeds the error bound, with edits around it until the bound is
  * kept, on a copy.
  *
  *     copy the faces around the edge, as after the collapse, and their samples
- *     sweeps: each vertex of the copy whose faces use most of the bound takes the step of
- *       SlackFit.h,
- *             and where that does not suffice, its edges are flipped if their other diagonal uses
- *               less
- *     no face breaks the rules of flips and moves against the face of the mesh that it replaces
- *     all faces within the bound:   found
- *     a sweep gains too little:     given up
+ *     sweeps:  move each vertex of the copy whose faces use most of the bound by a step of
+ *              SlackFit.h; where this does not suffice, flip edges whose other diagonal uses less
+ *     success:  all faces are within the bound, and obey the rules of flips and moves against
+ *               the faces of the mesh that they replace
+ *     failure:  a sweep gains too little
  *
- * The mesh does not change. What is found is proposed as one change (Editor::Try), which is proved
- * as a whole.
+ * The mesh does not change. A success is proposed as one change (Editor::Try), which is proved as a
+ * whole.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_PatchFit_h
 #define BoneDecimate_Core_Decimate_Stages_PatchFit_h
@@ -32,34 +30,34 @@ namespace bonedecimate
 class PatchFit
 {
 public:
-  /// @param rings How many rings of vertices around the collapse that may move.
+  /// @param rings Number of rings of vertices around the collapse that may move.
   PatchFit(const Editor& editor, const Samples& samples, const OriginalHints& hints, int rings);
 
-  /// What the edit is, and what to record of it.
+  /// The edit, and what to record of it.
   struct Result
   {
     bool IsWithin = false;
-    Vector3 Position = Vector3::Zero(); ///< Where the merged vertex is, mm from the local origin.
+    Vector3 Position = Vector3::Zero(); ///< That of the merged vertex, mm from the local origin.
     NearbyEdits Nearby;
     struct Hint
     {
       Index Vertex;
-      Index Triangle; ///< A triangle of the original.
+      Index Triangle; ///< A near triangle of the original.
     };
-    std::vector<Hint> Hints; ///< What is near the merged and the moved vertices.
+    std::vector<Hint> Hints; ///< Those of the merged and the moved vertices.
     struct SampleOfFace
     {
       Index Face;
       Index Sample;
     };
     std::vector<SampleOfFace> Samples; ///< Samples of all faces of the copy.
-    std::vector<Index> Faces;          ///< All faces of the copy, the removed ones included.
+    std::vector<Index> Faces;          ///< All faces of the copy and the removed ones.
   };
-  /// @param around What is around the edge of the candidate; its ends move freely.
+  /// @param around The neighborhood of the candidate, whose ends move freely.
   Result Fit(const EdgeNeighborhood& around, const SlackCandidate& candidate);
 
 private:
-  /// Positions in Vertices and Faces.
+  /// Indices into Vertices and Faces.
   struct Corner
   {
     std::size_t Face;
@@ -71,7 +69,7 @@ private:
     Index Id;
     Vector3 Position;
     Index Hint;
-    std::vector<Corner> Fan; // counter-clockwise; empty where the copy ends: nothing moves
+    std::vector<Corner> Fan; // counter-clockwise; empty if incomplete: cannot move
     bool HasMoved = false;
   };
   struct Face
@@ -79,8 +77,8 @@ private:
     Index Id;
     std::vector<SlackFit::Member> Members;
   };
-  /// The edge of a vertex to the second corner of a face of its fan, and its two faces, as
-  /// CornersAround names them.
+  /// The edge of a vertex to the second corner of a face of its fan, and its two faces. The
+  /// vertices are named as by CornersAround().
   struct Edge
   {
     std::size_t A, B, C, D;

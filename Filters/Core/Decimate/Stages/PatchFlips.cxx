@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the copy of a PatchFit flips its edges.
+// The flips of a PatchFit.
 #include "Decimate/Edit/FlipAndMoveRules.h"
 #include "PatchFit.h"
 
@@ -10,8 +10,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// An edge whose faces use less of the bound is not flipped, nor where the error does not fall to
-/// that part.
+/// An edge is flipped if its faces exceed this ratio, and if the error falls to this fraction.
 constexpr double RatioToFlip = 0.98;
 constexpr double PartAfterFlip = 0.9;
 }
@@ -25,8 +24,8 @@ PatchFit::Edge PatchFit::EdgeAt(std::size_t vertex, std::size_t slot) const
 }
 
 //------------------------------------------------------------------------------
-/// One of the vertices that the new edge connects is inside of the copy, which then has all of its
-/// edges.
+/// One of the vertices that the new edge connects is inside of the copy, which contains all edges
+/// of this vertex.
 bool PatchFit::FlipIsAllowed(const Edge& edge) const
 {
   const auto isConnected = [this](std::size_t from, std::size_t to)
@@ -55,7 +54,7 @@ bool PatchFit::FlipIsAllowed(const Edge& edge) const
 }
 
 //------------------------------------------------------------------------------
-/// @param corners Around the vertex of both faces: it, and those of the faces in order.
+/// @param corners The common vertex of both faces, then their other corners in order.
 void PatchFit::GatherPair(
   const std::array<std::size_t, 4>& corners, const std::array<std::size_t, 2>& faces)
 {
@@ -91,8 +90,8 @@ bool PatchFit::FlipImproves(const Edge& edge)
 }
 
 //------------------------------------------------------------------------------
-/// As HalfEdgeMesh::Flip: the left face a b c becomes d c a, the right one b a d becomes c d b.
-/// The samples are as the last evaluation found them.
+/// Like HalfEdgeMesh::Flip: the left face a b c becomes d c a, the right one b a d becomes c d b.
+/// The samples go where the last evaluation found them.
 void PatchFit::Flip(const Edge& edge)
 {
   const auto find = [this](std::size_t vertex, std::size_t face)
@@ -134,7 +133,8 @@ void PatchFit::Flip(const Edge& edge)
 }
 
 //------------------------------------------------------------------------------
-/// The edges of the vertex whose other diagonal is better.  @param ratio The ratio of its faces.
+/// Flips the edges of the vertex whose other diagonal is better. @param ratio The ratio of its
+/// faces.
 void PatchFit::FlipAround(std::size_t vertex, double ratio)
 {
   const std::vector<Corner>& fan = this->Vertices[vertex].Fan;

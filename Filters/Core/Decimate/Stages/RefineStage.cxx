@@ -13,10 +13,10 @@ namespace bonedecimate
 {
 namespace
 {
-/// Below that ratio of the original triangles, few remain.
+/// Fraction of the initial triangles below which few triangles remain.
 constexpr double FewTriangles = 0.2;
 
-/// Down to the target. False if the monitor stopped it.
+/// Collapses down to the target. False if the monitor requests a stop.
 bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor& monitor)
 {
   constexpr double sweepFrom = 0.99;
@@ -40,7 +40,7 @@ bool CollapseLast(const StageInput& input, Refinement& refinement, const Monitor
   return SweepTo(input, input.Stops.Faces, still) != StopReason::Aborted && refinement.Begin(last);
 }
 
-/// Only with limits of shape. False if the monitor stopped it.
+/// Improves shapes if this is requested. False if the monitor requests a stop.
 bool ShapeBetween(const StageInput& input, Refinement& refinement, const Monitor& monitor)
 {
   constexpr double shapedAt = 0.8;
@@ -49,7 +49,7 @@ bool ShapeBetween(const StageInput& input, Refinement& refinement, const Monitor
       refinement.Begin(PartOf(monitor, shapedAt, 1.0)));
 }
 
-/// Without an error bound. False if the monitor stopped it.
+/// Refines without an error bound. False if the monitor requests a stop.
 bool RefineAndCollapse(const StageInput& input, Refinement& refinement, const Monitor& monitor)
 {
   constexpr double begunAt = 0.3;
@@ -69,13 +69,14 @@ bool RefineAndCollapse(const StageInput& input, Refinement& refinement, const Mo
   return shouldContinue;
 }
 
-/// How many of the mode's rounds the options request.
+/// The number of rounds of the mode that the options request.
 int RoundsOf(const StageInput& input, int rounds)
 {
   return static_cast<int>(std::lround(input.RefinementEffort * rounds));
 }
 
-/// Moves and collapses that leave most of the error bound. False if the monitor stopped it.
+/// Alternates moves that leave more of the error bound and collapses that use it. False if the
+/// monitor requests a stop.
 bool CollapseBySlack(const StageInput& input, SlackRefinement& slack, const Monitor& monitor)
 {
   constexpr double sweptAt = 0.6; // of a round
@@ -90,16 +91,16 @@ bool CollapseBySlack(const StageInput& input, SlackRefinement& slack, const Moni
   return shouldContinue;
 }
 
-/// Collapses that exceed the error bound before vertices around them move: in the first round by
-/// little. Where a round made most of what it tried, the surface is smooth, and the next reaches
-/// farther. Rounds go on while they remove at least one face in this many. False if the monitor
-/// stopped it.
+/// Forces collapses that exceed the error bound before vertices around them move, in the first
+/// round by little. Where a round succeeded in most of its attempts, the surface is smooth, and the
+/// next round reaches farther. Rounds continue while each removes at least one face in this many.
+/// False if the monitor requests a stop.
 bool ForceCollapses(const StageInput& input, SlackRefinement& slack, const Monitor& monitor)
 {
   constexpr ForcedReach first = { 1.25, 1 };
   constexpr ForcedReach usual = { 1.4, 1 };
   constexpr ForcedReach wide = { 1.6, 2 };
-  constexpr std::int64_t triedOfWide = 3; // for each that was made
+  constexpr std::int64_t maxTriedPerMade = 3; // for a wide reach
   constexpr Index facesPerRemoved = 64;
   constexpr double forcedAt = 0.8; // of a round
   const HalfEdgeMesh& mesh = input.MeshEditor.Mesh();
@@ -115,7 +116,8 @@ bool ForceCollapses(const StageInput& input, SlackRefinement& slack, const Monit
     const ForcedCollapseFigures known = figures;
     shouldContinue = slack.Force(input.Stops.Faces, reach, PartOf(round, 0.0, forcedAt), figures) &&
       slack.Sweep(1, PartOf(round, forcedAt, 1.0));
-    reach = figures.Tried - known.Tried <= triedOfWide * (figures.Made - known.Made) ? wide : usual;
+    reach =
+      figures.Tried - known.Tried <= maxTriedPerMade * (figures.Made - known.Made) ? wide : usual;
     isWorthIt = i == 0 || before - mesh.NumberOfFaces() >= before / facesPerRemoved;
   }
   if (input.Forced != nullptr)
@@ -125,7 +127,7 @@ bool ForceCollapses(const StageInput& input, SlackRefinement& slack, const Monit
   return shouldContinue;
 }
 
-/// With an error bound: by how much of it is left. False if the monitor stopped it.
+/// Refines within an error bound. False if the monitor requests a stop.
 bool RefineWithinBound(const StageInput& input, Refinement& refinement, const Monitor& monitor)
 {
   constexpr double begunAt = 0.05;
@@ -149,7 +151,7 @@ bool RefineWithinBound(const StageInput& input, Refinement& refinement, const Mo
     (!usesSlack || slack.RestoreVolume(PartOf(monitor, refinedAt, 1.0)));
 }
 
-/// False if the monitor stopped it.
+/// False if the monitor requests a stop.
 bool Refine(const StageInput& input, const Monitor& monitor)
 {
   constexpr double collapsedAt = 0.7;

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RefineStage.h
- * @brief The second stage of Balanced and Accurate: fits what the sweep left to samples of the
+ * @brief The second stage of Balanced and Accurate: fits the result of the sweep to samples of the
  * original.
  *
- *     give every face the samples of the original near it
+ *     assign to every face the samples of the original near it
  *     flip edges and move vertices
- *     collapse the rest by what that does to the sampled error   (Decimate/Cost/SampledErrorCost.h)
+ *     collapse the rest by the change of the sampled error    (Decimate/Cost/SampledErrorCost.h)
  *     flip edges and move vertices again
  *
- * Where every edit is proved, the number of the last collapses is not known beforehand. Then moves
- * by the largest distance leave more of the error bound, and collapses use it (SlackRefinement.h);
- * both alternate as often as the settings of the mode say. Where voxels alone limit edits, the last
- * collapses are another sweep.
+ * If every edit is proved, the number of the last collapses is not known in advance. Then moves
+ * that lower the largest distance leave more of the error bound, and collapses use it
+ * (SlackRefinement.h); both alternate as often as the settings of the mode say. If voxels alone
+ * limit edits, the last collapses are another sweep.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_RefineStage_h
 #define BoneDecimate_Core_Decimate_Stages_RefineStage_h

@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// mm, of each vertex of the original; empty unless the error bound refers to it.
+/// The limit at each vertex of the original, mm; empty unless the error bound refers to it.
 std::vector<float> LimitsOf(const Editor& editor, const HalfEdgeMesh& original)
 {
   return editor.Bound() != nullptr && &original == &editor.Original().BoundedMesh()

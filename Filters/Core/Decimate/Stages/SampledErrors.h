@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SampledErrors.h
- * @brief The error of every face and vertex as it is now (SampledErrorCost.h), kept up while
- * collapses change it.
+ * @brief The current error of every face and vertex (SampledErrorCost.h), updated as edges are
+ * collapsed.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SampledErrors_h
 #define BoneDecimate_Core_Decimate_Stages_SampledErrors_h
@@ -23,20 +23,20 @@ class SampledErrors
 public:
   SampledErrors(const HalfEdgeMesh& mesh, const Samples& samples, const OriginalHints& hints);
 
-  /// All of them. False if the monitor said stop.
+  /// Measures all errors. False if the monitor requests a stop.
   bool MeasureAll(int threads, const Monitor& monitor);
 
-  /// The sum of all faces at the edge and of its two ends, squares of the mesh's unit.
+  /// The sum over all faces at the edge and its two ends, squares of the mesh's unit.
   double ErrorAround(const EdgeNeighborhood& around) const;
 
-  /// Raised whenever something around either end has changed.
+  /// A number that increases whenever something around either end changes.
   std::uint32_t StampOf(HalfEdgeId edge) const
   {
     return this->Stamps[this->Mesh.Origin(edge)] + this->Stamps[this->Mesh.Target(edge)];
   }
 
-  /// After a collapse into the vertex: measures its faces, raises stamps.
-  /// @param vertexError Its own, squares of the mesh's unit.
+  /// Measures the faces of a merged vertex and increases stamps.
+  /// @param vertexError Error of the vertex, squares of the mesh's unit.
   void AfterCollapse(VertexId vertex, double vertexError);
 
 private:
@@ -47,9 +47,9 @@ private:
   const Samples& OriginalSamples;
   const OriginalHints& Hints;
   ErrorPenalty Penalties;
-  std::vector<float> FaceErrors;     // error of each, squares of the mesh's unit
-  std::vector<float> VertexErrors;   // the same
-  std::vector<std::uint32_t> Stamps; // of each vertex, how often something around it has changed
+  std::vector<float> FaceErrors;     // squares of the mesh's unit
+  std::vector<float> VertexErrors;   // squares of the mesh's unit
+  std::vector<std::uint32_t> Stamps; // number of changes around each vertex
 };
 }
 

@@ -5,8 +5,8 @@
  * @brief Collapses an edge onto a position where the triangles around it have large angles.
  *
  * Candidates are the ends and the middle of the edge, and the position that RingShape finds from
- * the best of them: as far from the original as the ends on average, on the original, and as found.
- * The one of the largest smallest angle is tried first.
+ * the best of them. The latter is tried on the original, as far from it as the ends are on average,
+ * and as found. The candidate with the largest smallest angle is tried first.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ShapeCollapse_h
 #define BoneDecimate_Core_Decimate_Stages_ShapeCollapse_h
@@ -21,8 +21,8 @@ namespace bonedecimate
 class ShapeCollapse
 {
 public:
-  /// @param maxCosine That of the least angle.
-  /// @param enough That of an angle that needs no improvement.
+  /// @param maxCosine Cosine of the requested smallest angle.
+  /// @param enough Cosine of an angle that needs no improvement.
   ShapeCollapse(Editor& editor, double maxCosine, double enough)
     : MeshEditor(editor)
     , MaxCosine(maxCosine)
@@ -30,8 +30,8 @@ public:
   {
   }
 
-  /// Collapses the edge if all triangles around it then have the least angle, or the worst of them
-  /// becomes better.
+  /// Collapses the edge if all triangles around it then have the requested angle, or the worst of
+  /// them improves.
   /// @return Whether it was collapsed.
   bool Try(HalfEdgeId edge);
 
@@ -51,7 +51,7 @@ private:
   double Enough;
   EditWorkspace Workspace;
   RingShape Ring;
-  Edit Proposed;             // what the candidates have in common
+  Edit Proposed;             // what all candidates have in common
   double MaxNewCosine = 1.0; // candidates with a larger cosine are left out
   std::vector<Candidate> Candidates;
 };

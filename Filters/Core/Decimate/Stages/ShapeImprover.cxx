@@ -38,7 +38,7 @@ bool ShapeImprover::IsBad(FaceId face) const
 }
 
 //------------------------------------------------------------------------------
-/// The worst first.
+/// Bad faces, worst first.
 std::vector<Index> ShapeImprover::FindBadFaces() const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -58,7 +58,7 @@ std::vector<Index> ShapeImprover::FindBadFaces() const
 }
 
 //------------------------------------------------------------------------------
-/// Edits on the way may mend other faces or remove them.
+/// Earlier edits may improve or remove other faces.
 template <typename Improve>
 bool ShapeImprover::ForEachBadFace(const Monitor& monitor, const Improve& improve)
 {
@@ -74,7 +74,7 @@ bool ShapeImprover::ForEachBadFace(const Monitor& monitor, const Improve& improv
 }
 
 //------------------------------------------------------------------------------
-/// At bad faces.
+/// Flips and moves at bad faces.
 bool ShapeImprover::FlipAndMove(const Monitor& monitor)
 {
   constexpr double flippedAt = 0.3;
@@ -122,7 +122,7 @@ bool ShapeImprover::Relax(Editor& editor, const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// The shortest edge that may be.
+/// Collapses the shortest edge of the face that can be collapsed.
 void ShapeImprover::CollapseAt(FaceId face)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();

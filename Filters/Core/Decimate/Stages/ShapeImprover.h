@@ -4,11 +4,10 @@
  * @file ShapeImprover.h
  * @brief Enlarges the smallest angles of a mesh, and collapses edges that this makes collapsible.
  *
- *     Mend:      of the faces below the least angle, the worst first: collapse an edge, flip an
- *                edge, move the corners
- *                until a round leaves no fewer of them
+ *     Mend:      for each face below the requested angle, worst first: collapse an edge, flip an
+ *                edge, move the corners; rounds while their number decreases
  *     Collapse:  flips and moves at all faces below a larger angle, then collapses of all edges,
- *                the shortest first
+ *                shortest first
  *
  * Rules and filters decide about every edit, so error bound, voxels and gaps are kept.
  * ShapeFilter.h keeps what was reached.
@@ -27,7 +26,7 @@ namespace bonedecimate
 class ShapeImprover
 {
 public:
-  /// @param maxCosine That of the least angle.
+  /// @param maxCosine Cosine of the requested smallest angle.
   ShapeImprover(Editor& editor, double maxCosine)
     : MeshEditor(editor)
     , MaxCosine(maxCosine)
@@ -35,7 +34,7 @@ public:
   {
   }
 
-  /// False if the monitor requests a stop, as the other one.
+  /// False if the monitor requests a stop; likewise below.
   bool Mend(const Monitor& monitor);
   /// @param faces No collapse begins at that many faces or fewer.
   bool Collapse(Index faces, const Monitor& monitor);

@@ -13,18 +13,18 @@
 
 namespace bonedecimate
 {
-/// The cosine of 45 degrees: where angles are smaller, flips and moves make collapses possible.
+/// The cosine of 45 degrees. Where angles are smaller, flips and moves make collapses possible.
 constexpr double CosineOfRelaxed = 0.7071067811865476;
 
 /// Calls work(i) for each index. False if the monitor requests a stop.
 template <typename Work>
 bool ForEachOf(std::size_t count, const Monitor& monitor, const Work& work)
 {
-  constexpr std::size_t editsOfCall = 64;
+  constexpr std::size_t indicesPerReport = 64;
   for (std::size_t i = 0; i < count; ++i)
   {
     work(i);
-    if (i % editsOfCall == 0 && !monitor(static_cast<double>(i) / static_cast<double>(count)))
+    if (i % indicesPerReport == 0 && !monitor(static_cast<double>(i) / static_cast<double>(count)))
     {
       return false;
     }

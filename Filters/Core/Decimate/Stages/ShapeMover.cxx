@@ -3,6 +3,7 @@
 #include "ShapeMover.h"
 
 #include "Decimate/Edit/FlipAndMoveRules.h"
+#include "EdgesByLength.h"
 #include "FaceShape.h"
 
 #include <algorithm>
@@ -18,8 +19,7 @@ void ShapeMover::FlipAt(FaceId face)
   for (Index k = 0; k < 3; ++k)
   {
     const HalfEdgeId h = HalfEdgeMesh::HalfEdge(face, k);
-    const Vector3 along = mesh.Position(mesh.Target(h)) - mesh.Position(mesh.Origin(h));
-    edges[static_cast<std::size_t>(k)] = { along.squaredNorm(), h };
+    edges[static_cast<std::size_t>(k)] = { SquaredLength(mesh, h), h };
   }
   std::stable_sort(
     edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeMover.h
- * @brief Flips edges and moves vertices where that enlarges the smallest angle of the triangles
- * around.
+ * @brief Flips edges and moves vertices where this enlarges the smallest angle of the triangles
+ * around them.
  *
- * A vertex moves to where RingShape finds a larger angle: as far from the original as before, onto
- * the original, or as found; if none of these is accepted, half of the way.
+ * RingShape finds a position with a larger angle. It is tried as far from the original as the
+ * vertex was, on the original, and as found. If none of these is accepted, half of the way is
+ * tried.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ShapeMover_h
 #define BoneDecimate_Core_Decimate_Stages_ShapeMover_h
@@ -26,9 +27,9 @@ public:
   {
   }
 
-  /// Flips one edge of the face, the longest that may be.
+  /// Flips the longest edge of the face that can be flipped.
   void FlipAt(FaceId face);
-  /// Moves the corners of the face until it is good enough.
+  /// Moves the corners of the face until its angles are large enough.
   void MoveAt(FaceId face);
   void Move(VertexId vertex);
 

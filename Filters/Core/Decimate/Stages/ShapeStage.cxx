@@ -10,8 +10,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Angles that have become larger allow collapses that were rejected. False if the monitor requests
-/// a stop.
+/// Collapses once more: larger angles allow collapses that were rejected. False if the monitor
+/// requests a stop.
 bool CollapseOnce(const StageInput& input, const Monitor& monitor)
 {
   input.MeshEditor.PrepareCollapses(input.Threads);
@@ -19,8 +19,8 @@ bool CollapseOnce(const StageInput& input, const Monitor& monitor)
     SweepTo(input, input.Stops.Faces, monitor) != StopReason::Aborted;
 }
 
-/// Without an edge length, edges of any length are collapsed for it. False if the monitor requests
-/// a stop.
+/// Enlarges angles. If no edge length is requested, this collapses edges of any length. False if
+/// the monitor requests a stop.
 bool EnlargeAngles(const StageInput& input, const Monitor& monitor)
 {
   constexpr double mendedAt = 0.2;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeStage.h
- * @brief What a run with a least angle does after its collapses: ShapeImprover.h, and where a bound
- * limits edits, more collapses.
+ * @brief Improves shapes after the collapses of a run with a requested angle or edge length
+ * (EdgeSizer.h, ShapeImprover.h), and collapses more where a bound limits edits.
  *
- * Proof/EditFilters/ShapeFilter.h keeps the angle in all other stages.
+ * Proof/EditFilters/ShapeFilter.h keeps the shapes in all other stages.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ShapeStage_h
 #define BoneDecimate_Core_Decimate_Stages_ShapeStage_h
@@ -14,7 +14,7 @@
 
 namespace bonedecimate
 {
-/// Nothing without a least angle. False if the monitor requests a stop.
+/// Does nothing if no shape is requested. False if the monitor requests a stop.
 bool ImproveShape(const StageInput& input, const Monitor& monitor);
 }
 

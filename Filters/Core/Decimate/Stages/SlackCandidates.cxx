@@ -12,13 +12,13 @@ namespace bonedecimate
 namespace
 {
 constexpr Index VerticesOfPart = 64;
-/// Where samples are farther, in limits, moving the vertex does not help; or farther than the
-/// largest ratio of a candidate by so much.
+/// Beyond this ratio of the samples at the start, moving the vertex does not help; nor beyond the
+/// largest ratio of a candidate plus this excess.
 constexpr double MaxRatioOfStart = 1.6;
 constexpr double MaxExcessOfStart = 0.2;
 constexpr int MovesOfCandidate = 4;
-/// Points on the faces are looked at only where the samples are not farther than that, in the
-/// largest ratio of a candidate.
+/// Points on the faces are evaluated only up to this ratio of the samples, relative to the largest
+/// ratio of a candidate.
 constexpr double MaxRelativeRatioOfSamples = 1.02;
 }
 
@@ -87,7 +87,7 @@ void SlackCandidates::EvaluateAt(
 }
 
 //------------------------------------------------------------------------------
-/// False if it may not be collapsed or is maxRatioOfStart.
+/// False if the edge cannot be collapsed, or its samples are too far.
 bool SlackCandidates::EvaluateEdge(
   const RatedEdge& edge, Evaluator& evaluator, SlackCandidate& candidate) const
 {

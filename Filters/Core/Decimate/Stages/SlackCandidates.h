@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackCandidates.h
- * @brief Edges whose collapse keeps the error bound, or exceeds it by little, after its vertex has
- * moved to the best position.
+ * @brief Edges whose collapse keeps the error bound, or exceeds it by little, after the merged
+ * vertex has moved to the best position.
  *
- *     positions:   by quadrics, the middle, both ends: the nearest to the samples of the original
- *       (SlackFit.h)
- *     hopeless:    left out
- *     moves by the samples, then by samples and points on the faces
+ *     start:   the position by quadrics, the middle or an end, whichever is nearest to the
+ *              samples of the original (SlackFit.h); edges that are too far there are left out
+ *     moves:   by the samples, then by samples and points on the faces
  *
  * Only edges near changes are evaluated. Edges at open boundaries and constrained parts are left
  * out.
@@ -26,7 +25,7 @@ namespace bonedecimate
 {
 struct SlackCandidate
 {
-  double Ratio = 0.0; ///< The largest distance in limits.
+  double Ratio = 0.0; ///< Largest ratio of a distance to its limit.
   Index Edge = None;
   Index Start = None;
   Index End = None;
@@ -42,23 +41,23 @@ struct SlackCandidate
 class SlackCandidates
 {
 public:
-  /// @param editor Must keep quadrics, and they must be right.
-  /// @param maxRatio The largest ratio of a candidate.
+  /// @param editor Must keep quadrics, and they must be up to date.
+  /// @param maxRatio Maximum ratio of a candidate.
   SlackCandidates(const Editor& editor, const Samples& samples, const OriginalHints& hints,
     double maxRatio, int threads);
 
-  /// Edges near changes since the last call; at first all. False if the monitor requests a stop.
+  /// Appends candidates near changes since the last call, at first all. False if the monitor
+  /// requests a stop.
   bool Find(const Monitor& monitor, std::vector<SlackCandidate>& candidates);
 
   void NoteChange(VertexId vertex) { this->Changed[vertex] = 1; }
   bool IsChanged(VertexId vertex) const { return this->Changed[vertex] != 0; }
 
-  /// The fan that the collapse of the edge makes, with the samples of all faces that were at the
-  /// edge.
+  /// Builds the fan of the merged vertex, with the samples of all faces at the edge.
   static void Gather(const HalfEdgeMesh& mesh, const EdgeNeighborhood& around, SlackFit& slack);
 
 private:
-  /// What evaluates edges on one thread.
+  /// Evaluates edges on one thread.
   struct Evaluator
   {
     SlackFit Slack;
@@ -73,7 +72,7 @@ private:
   const OriginalHints& Hints;
   double MaxRatio;
   int Threads;
-  std::vector<char> Changed; // of each vertex, since its edges were evaluated
+  std::vector<char> Changed; // for each vertex, since its edges were evaluated
 };
 }
 

@@ -77,7 +77,7 @@ bool SlackCollapse::Collapse(const SlackCandidate& candidate)
   edit.Keep = candidate.Start;
   edit.Position = candidate.Position;
   workspace.Change.Rank = static_cast<float>(candidate.Ratio);
-  SlackCandidates::Gather(mesh, around, this->Slack); // while the faces are there
+  SlackCandidates::Gather(mesh, around, this->Slack); // before the faces are removed
   if (!this->MeshEditor.Try(edit, workspace).IsAccepted())
   {
     return false;

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackCollapse.h
- * @brief Collapses where moving the merged vertex lets the faces around it keep the error bound
- * (SlackFit.h).
+ * @brief Collapses edges whose merged vertex can move to where the faces around it keep the error
+ * bound (SlackFit.h).
  *
- *     a round:   evaluate the edges near changes, in parallel: those whose largest ratio is at most
- *       1       (SlackCandidates.h)
- *                on one thread: collapse them, the least ratio first, where no earlier collapse of
- *                  the round changed anything
+ *     a round:
+ *         in parallel:     evaluate the edges near changes: candidates have a ratio up to 1
+ *                                                                           (SlackCandidates.h)
+ *         on one thread:   collapse them, smallest ratio first, where no earlier collapse of the
+ *                          round changed anything
  *     rounds until one removes little
  *
  * Edges at open boundaries and constrained parts are left to the sweep.
@@ -27,10 +28,10 @@ namespace bonedecimate
 class SlackCollapse
 {
 public:
-  /// @param editor Must keep quadrics, and they must be right.
+  /// @param editor Must keep quadrics, and they must be up to date.
   SlackCollapse(Editor& editor, Samples& samples, OriginalHints& hints, int threads);
 
-  /// Down to that many faces at most. False if the monitor requests a stop.
+  /// Collapses down to that many faces at most. False if the monitor requests a stop.
   bool Run(Index faces, const Monitor& monitor);
 
 private:
@@ -43,7 +44,7 @@ private:
   SlackCandidates Candidates;
   SlackFit Slack;
   EditWorkspace Workspace;
-  std::vector<char> TouchedVertices; // of each vertex, in this round
+  std::vector<char> TouchedVertices; // for each vertex, in this round
 };
 }
 

@@ -13,22 +13,22 @@ namespace bonedecimate
 {
 namespace
 {
-/// Points on the edges of the fan are that far from each other, in mean edges of the original.
+/// Distance of points on the edges of the fan, in mean edges of the original.
 constexpr double SpacingInEdges = 0.35;
-/// Moved vertices are on a grid of a mean edge divided by that power of two.
+/// Moved vertices lie on a grid with steps of a mean edge divided by this power of two.
 constexpr double GridBits = 20.0;
-constexpr int MaxPoints = 10; // on an edge of the fan, and one
+constexpr int MaxPoints = 10; // segments of an edge of the fan
 /// The longest step, in mean edges at the vertex.
 constexpr double LongestStep = 0.4;
-/// Attempts to lower the error by a step, each that part of the one before.
+/// Attempts to lower the error by a step, each by this fraction of the previous one.
 constexpr int Attempts = 3;
 constexpr double NextAttempt = 0.35;
-/// By which the error must fall.
+/// The relative decrease of the error that a step must reach.
 constexpr double MinGain = 1e-4;
-/// Rows below this part of the largest ratio hardly matter to the step.
+/// Rows below this fraction of the largest ratio hardly matter to the step.
 constexpr double MinRatio = 0.4;
-/// The part of the area around a vertex that it represents itself: between it and the nearest
-/// samples the distance rises, so without it the error would let it leave the bound.
+/// The fraction of the area around a vertex that the vertex represents. The distance rises between
+/// the vertex and the nearest samples, so without this term it could leave the bound.
 constexpr double VertexFraction = 0.1;
 constexpr int StepsOfExponent = 4;
 
@@ -91,11 +91,11 @@ void SlackFit::Build(const Vector3& x)
   }
   const double unit = this->MeshEditor.Mesh().Unit();
   this->RingArea = area / (unit * unit);
-  this->Radius = LongestStep * length / static_cast<double>(this->Spokes.size());
+  this->MaxStep = LongestStep * length / static_cast<double>(this->Spokes.size());
 }
 
 //------------------------------------------------------------------------------
-/// @param perDistance By how much the distance changes for a step of the vertex.
+/// @param perDistance The change of the distance with a step of the vertex.
 void SlackFit::AddRow(double weight, double distance, double limit, const Vector3& perDistance)
 {
   if (distance > 0.0 || limit > 0.0)
@@ -147,7 +147,7 @@ double SlackFit::LimitOver(Index triangle) const
 }
 
 //------------------------------------------------------------------------------
-/// @param fraction The fraction of the vertex, in the point.
+/// @param fraction Weight of the vertex in the point.
 PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction, double weight)
 {
   PointOnMesh found = WalkFrom(this->Hints.Original(), p, hint);
@@ -167,9 +167,8 @@ PointOnMesh SlackFit::AddPointRow(const Vector3& p, Index hint, double fraction,
 }
 
 //------------------------------------------------------------------------------
-/// Error of points on the edges of the vertex, which is where faces are maxRatio from the original
-/// between its vertices, and of a few inside the faces.
-/// @param firstSpoke The first face at whose edge there are points.
+/// Adds points on the edges of the vertex, where faces are farthest from the original between its
+/// vertices, and a point inside of each face.
 bool SlackFit::AddFaceRows(const Vector3& x, double enough, std::size_t firstSpoke)
 {
   constexpr double third = 1.0 / 3.0;
@@ -228,7 +227,7 @@ SlackFit::Value SlackFit::EvaluatePair(const Vector3& x, Index hint, double enou
 }
 
 //------------------------------------------------------------------------------
-double SlackFit::MaxRatioOfSamples(const Vector3& x, double most)
+double SlackFit::MaxRatioOfSamples(const Vector3& x, double maxRatio)
 {
   this->Build(x);
   double largest = 0.0; // squared
@@ -244,7 +243,7 @@ double SlackFit::MaxRatioOfSamples(const Vector3& x, double most)
       continue;
     }
     largest = squared > 0.0 ? std::max(largest, squared / (limit * limit)) : largest;
-    if (largest > most * most)
+    if (largest > maxRatio * maxRatio)
     {
       return Infinity;
     }
@@ -253,7 +252,7 @@ double SlackFit::MaxRatioOfSamples(const Vector3& x, double most)
 }
 
 //------------------------------------------------------------------------------
-/// Ratios are divided by the largest, so that powers stay in range.
+/// Ratios are divided by the largest one, so that powers stay in range.
 Vector3 SlackFit::Step() const
 {
   std::vector<Row> active;
@@ -276,7 +275,7 @@ Vector3 SlackFit::Step() const
     {
       x += this->NewtonStep(active, x, exponent);
       const double length = x.norm();
-      x *= length > this->Radius ? this->Radius / length : 1.0;
+      x *= length > this->MaxStep ? this->MaxStep / length : 1.0;
     }
   }
   return x.allFinite() ? x : Vector3(Vector3::Zero());

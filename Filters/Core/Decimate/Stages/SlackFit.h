@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackFit.h
- * @brief How much of the error bound a fan of faces uses, and where its vertex should go to use
+ * @brief How much of the error bound a fan of faces uses, and where its vertex should move to use
  * less.
  *
- *     ratio(point) = distance / limit there; where nothing limits, the largest limit anywhere
- *       stands in, or nothing would hold a vertex
- *     error = sum of  area ratio^16  over the samples of the original, each to its nearest face of
- *                                    the fan,
- *                                and over points on the fan, each to the original
- *     step:   the minimum of  sum of  area |ratio + gradient . x|^p  by Newton's method for p = 4,
- *                                                                    8, 16
+ *     ratio(point) = distance / limit at the point; where nothing limits, the largest limit, so
+ *                    that the vertex stays near
+ *     error = sum of area ratio^16 over the samples of the original, each to its nearest face of
+ *             the fan, and over points on the fan, each to the original
+ *     step  = minimum of the sum of area |ratio + gradient . x|^p, by Newton's method for
+ *             p = 4, 8, 16
  *
- * The exponent makes this a smooth form of the largest ratio: what is left below 1 is slack for
- * further edits. It only proposes edits; filters decide. A least-squares fit would lower the mean
- * and let the largest ratio rise.
+ * The high exponent makes the error a smooth form of the largest ratio. What is left below a ratio
+ * of 1 is slack for further edits. This class only proposes edits; filters decide. A least-squares
+ * fit would lower the mean but let the largest ratio rise.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SlackFit_h
 #define BoneDecimate_Core_Decimate_Stages_SlackFit_h
@@ -36,11 +35,11 @@ public:
   struct Value
   {
     double Error = Infinity;    ///< Squares of the mesh's unit.
-    double MaxRatio = Infinity; ///< The largest of all ratios.
-    Index Hint = None;          ///< The original triangle near the vertex.
+    double MaxRatio = Infinity; ///< Largest ratio.
+    Index Hint = None;          ///< An original triangle near the vertex.
   };
 
-  /// After an evaluation: for each sample, in which face of the fan it is.
+  /// A sample and the face of the fan that it belongs to, after an evaluation.
   struct Member
   {
     Index Sample;
@@ -50,41 +49,43 @@ public:
 
   /// Starts an empty fan.
   void Clear();
-  /// The next face of the fan, counter-clockwise; the fan must close.
+  /// Adds the next face of the fan, counter-clockwise. The fan must close.
   void AddFace(const Vector3& second, const Vector3& third);
-  /// The samples of a face of the mesh. Those that are farther from it than their limit do not
-  /// count: the mesh is proved, so they belong to another face.  @param slot The face of the fan
-  /// where their search starts.
+  /// Adds the samples of a face of the mesh. Samples farther from it than their limit do not count:
+  /// the mesh is proved, so they belong to another face.
+  /// @param slot The face of the fan where their search starts.
   void AddSamples(FaceId face, std::size_t slot);
 
-  /// What an evaluation reads: searches on the original are most of its time.
+  /// The terms of the error. Most of the time is spent on searches on the original for points on
+  /// the fan.
   enum class ErrorTerms
   {
-    Samples, ///< Only the samples of the original.
+    Samples, ///< The samples of the original.
     All
   };
   void SetTerms(ErrorTerms terms) { this->Terms = terms; }
-  /// One sample that was a member of an evaluation.
+  /// Adds a sample that was a member of an earlier evaluation.
   void AddMember(const Member& member) { this->SampleMembers.push_back(member); }
-  /// With the vertex at x.
+  /// Evaluates the fan with the vertex at x.
   /// @param hint An original triangle near x.
-  /// @param enough An error at which the evaluation ends; the value is infinite then.
+  /// @param enough The error at which the evaluation ends; then the value is infinite.
   Value Evaluate(const Vector3& x, Index hint, double enough = Infinity);
-  /// Error of two faces at x, which have the edge from x to the second corner of the last one in
-  /// common; other edges do not count.
+  /// The error of two faces at x, which have the edge from x to the second corner of the last face
+  /// in common. Other edges do not count.
   Value EvaluatePair(const Vector3& x, Index hint, double enough);
-  /// The largest ratio of the samples of the original alone; infinite above that ratio.
-  double MaxRatioOfSamples(const Vector3& x, double most);
+  /// The largest ratio of the samples alone; infinite if it exceeds maxRatio.
+  double MaxRatioOfSamples(const Vector3& x, double maxRatio);
 
-  /// The nearest position of a fine grid. One step after the other would amplify the rounding of
-  /// coordinates, which is another one at another distance from the origin.
+  /// The nearest position of a fine grid. Without it, repeated steps would amplify the rounding of
+  /// coordinates, which depends on the distance from the origin.
   Vector3 OnGrid(const Vector3& x) const;
 
-  /// Moves x by Step(), or by a part of it, if that lowers the error by more than a little.
-  /// @param before The last evaluation, at x.  @return At the new x; infinite if x did not move.
+  /// Moves x by Step() or a part of it if this lowers the error by more than a little.
+  /// @param before The last evaluation, at x.  @return The value at the new x; infinite if x did
+  /// not move.
   Value TryStep(Vector3& x, const Value& before);
 
-  /// Moves x as long as that lowers the error by more than a little, that often at most.
+  /// Moves x as long as this lowers the error by more than a little, up to `times` times.
   Value Improve(Vector3& x, Index hint, int times);
 
   const std::vector<Member>& Members() const { return this->SampleMembers; }
@@ -93,7 +94,7 @@ public:
 private:
   struct Spoke
   {
-    Vector3 Second, Third; // mm, of a face
+    Vector3 Second, Third; // mm
   };
   struct Row
   {
@@ -101,7 +102,7 @@ private:
     double Ratio;     // at the last evaluation
     Vector3 Gradient; // 1 / mm
   };
-  /// From the vertex of the last evaluation, which was not ended, mm.
+  /// The step from the vertex of the last evaluation, mm. The evaluation must not have ended early.
   Vector3 Step() const;
   void Build(const Vector3& x);
   bool AddSampleRows(double enough);
@@ -118,7 +119,7 @@ private:
   double Spacing;           // mm, of the points on the fan
   double Grid;              // mm
   ErrorTerms Terms = ErrorTerms::All;
-  double Radius = 0.0;   // mm, the longest step
+  double MaxStep = 0.0;  // mm
   double RingArea = 0.0; // squares of the mesh's unit
   std::vector<Spoke> Spokes;
   std::vector<TriangleFrame> Frames;

@@ -8,9 +8,9 @@ namespace bonedecimate
 {
 namespace
 {
-/// Faces that use less of the bound stay.
+/// Faces below this ratio are not flipped.
 constexpr double MinRatioOfFlip = 0.8;
-/// To which part the error must fall.
+/// The fraction to which the error must fall.
 constexpr double FlipBelowError = 0.9;
 constexpr Index FacesOfReport = 1024;
 }
@@ -42,15 +42,15 @@ void SlackFlipper::TryFlip(HalfEdgeId edge)
   if (twin != None && edge < twin && this->Improves(edge) &&
     this->MeshEditor.Try(FlipOf(edge), this->Workspace).IsAccepted())
   {
-    // As the last evaluation found the samples.
+    // The samples go where the last evaluation found them.
     this->OriginalSamples.HandOver(
       { HalfEdgeMesh::Face(edge), HalfEdgeMesh::Face(twin) }, this->Slack.Members());
   }
 }
 
 //------------------------------------------------------------------------------
-/// @param corners Around the vertex of both: it, and those of the faces in order.
-/// @param faces The samples that belong to them.
+/// @param corners The common vertex of both faces, then their other corners in order.
+/// @param faces The faces whose samples belong to them.
 void SlackFlipper::Gather(const std::array<Vector3, 4>& corners, const std::array<FaceId, 2>& faces)
 {
   this->Slack.Clear();

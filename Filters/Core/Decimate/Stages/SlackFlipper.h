@@ -4,8 +4,8 @@
  * @file SlackFlipper.h
  * @brief Flips edges whose other diagonal uses less of the error bound (SlackFit.h).
  *
- * Collapses leave vertices of many edges beside vertices of few, and moves alone cannot even that
- * out.
+ * Collapses leave vertices with many edges beside vertices with few, and moves alone cannot
+ * compensate for this.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SlackFlipper_h
 #define BoneDecimate_Core_Decimate_Stages_SlackFlipper_h
@@ -28,11 +28,11 @@ public:
   {
   }
 
-  /// Every edge once. On one thread. False if the monitor requests a stop.
+  /// Tries every edge once, on one thread. False if the monitor requests a stop.
   bool Run(const Monitor& monitor);
 
 private:
-  /// Two faces with the edge from the first to the third corner in common.
+  /// Reads two faces that have the edge from the first to the third corner in common.
   void Gather(const std::array<Vector3, 4>& corners, const std::array<FaceId, 2>& faces);
   void TryFlip(HalfEdgeId edge);
   bool Improves(HalfEdgeId edge);

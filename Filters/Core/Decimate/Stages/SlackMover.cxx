@@ -8,14 +8,14 @@ namespace bonedecimate
 {
 namespace
 {
-/// Fraction of the bound that a shift may use.
+/// Maximum ratio after a shift.
 constexpr double MaxOfShift = 0.97;
 }
 
 SlackMover::Proposal SlackMover::Evaluate(VertexId vertex)
 {
   const SlackFit::Value before = this->Gather(vertex);
-  // a vertex whose faces use less of the bound does not limit anything
+  // below it, the vertex does not limit anything
   constexpr double minRatio = 0.5;
   if (!(before.MaxRatio > minRatio))
   {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SlackMover.h
- * @brief Moves a vertex to where the faces around it use less of the error bound (SlackFit.h), so
- * that collapses find slack.
+ * @brief Moves a vertex to where the faces around it use less of the error bound (SlackFit.h). The
+ * slack allows more collapses.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SlackMover_h
 #define BoneDecimate_Core_Decimate_Stages_SlackMover_h
@@ -30,18 +30,18 @@ public:
   {
     Index Vertex = None;                        ///< None: it does not move.
     Vector3 Position = Vector3::Zero();         ///< mm from the local origin
-    Index Hint = None;                          ///< The original triangle near it.
-    std::vector<Index> Ring = {};               ///< The faces of the vertex,
-    std::vector<SlackFit::Member> Samples = {}; ///< and which sample is in which of them.
+    Index Hint = None;                          ///< An original triangle near it.
+    std::vector<Index> Ring = {};               ///< Faces of the vertex.
+    std::vector<SlackFit::Member> Samples = {}; ///< Samples with their index in Ring.
   };
-  /// Reads the faces of the vertex only, so that vertices without a common face may be evaluated at
-  /// the same time.
+  /// Proposes a step. Reads the faces of the vertex only, so vertices without a common face may be
+  /// evaluated in parallel.
   Proposal Evaluate(VertexId vertex);
 
-  /// By that step, if the faces then keep within the bound.  @param step mm
+  /// Proposes the given step if the faces then keep within the bound. @param step mm
   Proposal Shift(VertexId vertex, const Vector3& step);
 
-  /// Moves the vertex if the filters accept that. From one thread.  @return Whether it moved.
+  /// Moves the vertex if the filters accept the move; on one thread. @return Whether it moved.
   bool Apply(const Proposal& proposal, EditWorkspace& workspace) const;
 
 private:

@@ -55,7 +55,7 @@ bool SlackRefinement::MoveVertices(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// The least color that no neighbor has, in the order of the vertices: vertices of one color have
+/// Gives each vertex, in order, the first color that no neighbor has. So vertices of one color have
 /// no face in common.
 std::vector<std::vector<Index>> SlackRefinement::ColorVertices() const
 {
@@ -87,7 +87,7 @@ std::vector<std::vector<Index>> SlackRefinement::ColorVertices() const
 }
 
 //------------------------------------------------------------------------------
-/// @param vertices Vertices of which no two have a face in common.
+/// @param vertices No two of them have a face in common.
 bool SlackRefinement::MoveAll(const std::vector<Index>& vertices, const Monitor& monitor)
 {
   constexpr double evaluatedAt = 0.6;

@@ -3,21 +3,19 @@
 /**
  * @file SlackRefinement.h
  * @brief Fewer triangles within an error bound: moves that leave more of the bound, and collapses
- * that use it up.
+ * that use it.
  *
- *     Begin:      distribute samples of the original over the faces, the original that the bound
- *                 refers to
- *     Sweep:      flip edges                                                         (SlackFlipper)
- *                 color the vertices; of each color evaluate all moves in parallel, then apply them
- *                   on one thread   (SlackMover)
- *     Collapse:   the same in rounds, the collapses that leave most of the bound first
- *       (SlackCollapse)
+ *     Begin:          distribute samples over the faces; the original is the one of the bound
+ *     Sweep:          flip edges                                               (SlackFlipper)
+ *                     color the vertices; for each color evaluate all moves in parallel, then
+ *                     apply them on one thread                                 (SlackMover)
+ *     Collapse:       rounds of collapses, those first that leave most of the bound
+ *                                                                              (SlackCollapse)
+ *     Force:          collapses that keep the bound only with moves and flips around them
+ *                                                                              (ForcedCollapse)
+ *     RestoreVolume:  moves that restore lost volume                           (VolumeMover)
  *
- *     Force:      collapses that keep the bound only with moves and flips around them
- *       (ForcedCollapse)
- *     RestoreVolume:   moves that give lost volume back                               (VolumeMover)
- *
- * Every edit is proved as any other; samples only propose.
+ * Every edit is proved like any other; samples only propose edits.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_SlackRefinement_h
 #define BoneDecimate_Core_Decimate_Stages_SlackRefinement_h
@@ -37,14 +35,14 @@ public:
 
   /// False if the monitor requests a stop; the surface is valid then, too.
   bool Sweep(int times, const Monitor& monitor);
-  /// Down to that many faces at most.
+  /// Collapses down to that many faces at most.
   bool Collapse(Index faces, const Monitor& monitor);
-  /// Also where moves and flips around the collapse are needed.
-  /// @param figures What was tried and made is added to them.
+  /// Forces collapses with moves and flips around them.
+  /// @param figures The numbers of attempts and successes are added.
   bool Force(
     Index faces, ForcedReach reach, const Monitor& monitor, ForcedCollapseFigures& figures);
-  /// Moves that give components the volume back that they have lost. Flips and moves by others may
-  /// come before, collapses may not.
+  /// Restores volume that components have lost. Since Begin(), others may have flipped and moved,
+  /// but not collapsed.
   bool RestoreVolume(const Monitor& monitor);
 
 private:

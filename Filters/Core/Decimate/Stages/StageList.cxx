@@ -33,7 +33,7 @@ StopReason RunStages(StageInput input, const Monitor& monitor)
   input.InitialMesh =
     input.Mode.KeepsInitialMesh ? &input.MeshEditor.Original().InitialMesh() : nullptr;
   StopReason reason = StopReason::NotRun;
-  // A refinement does so itself, before it ends.
+  // Refinement stages improve shapes themselves.
   const bool improvesShape = input.ImprovesShape() && !input.Mode.Refines();
   const Monitor stages = PartOf(monitor, 0.0, improvesShape ? 0.3 : 1.0);
   double begin = 0.0;

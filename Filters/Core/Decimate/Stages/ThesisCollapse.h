@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ThesisCollapse.h
- * @brief The thesis's loop: lowest vertex, then its lowest edge, until the number or the error is
- * reached.
+ * @brief The loop of the thesis: lowest vertex, then its lowest edge, until the number or the error
+ * is reached.
  *
  *     put every vertex in a queue by its cost
  *     while faces > Faces or maxError < Error:
  *         v = vertex of lowest cost; for its edges e = (v, ve), lowest cost first:
- *             collapse e with the first position that is accepted; leave
- *         a vertex all of whose edges are rejected waits until something around it changes
+ *             collapse e with the first position that is accepted, and continue with the queue
+ *         if all its edges are rejected, v waits until something around it changes
  *         recompute the costs of the new vertex and its one-ring
  *
- * The new vertex's ring is all that changed: it holds the one-rings of both v and ve.
+ * Only the ring of the new vertex has changed: it contains the one-rings of both v and ve.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_ThesisCollapse_h
 #define BoneDecimate_Core_Decimate_Stages_ThesisCollapse_h
@@ -31,10 +31,10 @@ namespace bonedecimate
 class ThesisCollapse
 {
 public:
-  /// @param tolerance The thesis's w.
+  /// @param tolerance w of the thesis.
   ThesisCollapse(Editor& editor, const QueuePolicies& policies, double tolerance);
 
-  /// May run again with other targets, after other stages have changed the mesh.
+  /// May run again with other targets after other stages have changed the mesh.
   /// @param monitor Receives fractions from 0 to 1.
   StopReason Run(const StopTargets& stops, const Monitor& monitor);
 

@@ -8,7 +8,8 @@ namespace bonedecimate
 {
 namespace
 {
-/// Large blocks leave few vertices whose ring is in no block; many blocks keep many threads busy.
+/// Large blocks leave few vertices whose ring is in no block, and many blocks keep many threads
+/// busy.
 constexpr Index BlocksOfOrder = 32;
 constexpr Index MinBlock = 512;
 constexpr Index MaxBlock = 8192;

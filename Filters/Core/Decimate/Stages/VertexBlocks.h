@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexBlocks.h
- * @brief The live vertices in their order, cut into blocks that threads may work on.
+ * @brief The live vertices in their order, cut into blocks that threads process in parallel.
  *
  *     for blocks, blocks shifted by half, larger blocks shifted by half:
- *         each block, on any thread:  visit the vertices that no earlier pass visited
- *                                     and whose neighbors are all in this block
- *     then, on one thread:   visit the rest
+ *         in each block, on any thread:  visit the vertices that no earlier pass visited
+ *                                        and whose neighbors are all in this block
+ *     then, on one thread:               visit the rest
  *
- * Order and blocks depend on the mesh alone, so that the result is the same for any number of
- * threads. The vertices of a cleaned surface lie along a curve that fills space: a block is a
- * patch.
+ * Order and blocks depend on the mesh alone, so the result is the same for any number of threads.
+ * The vertices of a cleaned surface lie along a space-filling curve, so a block is a patch of the
+ * surface.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_VertexBlocks_h
 #define BoneDecimate_Core_Decimate_Stages_VertexBlocks_h
@@ -30,7 +30,7 @@ class VertexBlocks
 public:
   explicit VertexBlocks(const HalfEdgeMesh& mesh);
 
-  /// How many workers there may be at most.
+  /// Maximum number of workers.
   int Count() const { return static_cast<int>(this->Order.size() / this->BlockSize) + 2; }
 
   /**
@@ -55,14 +55,14 @@ private:
   template <typename MakeWorker>
   bool VisitRest(const Monitor& monitor, const MakeWorker& makeWorker);
 
-  /// The vertices at these positions of the order; the first and the last range also include the
-  /// ids outside of the order.
+  /// The vertices at these positions of the order. The first and the last range also include ids
+  /// outside of the order.
   VertexRange RangeOf(Index first, Index last) const;
   bool IsInside(const HalfEdgeMesh& mesh, VertexId v, const Cut& cut) const;
 
   Index BlockSize = 0;      // vertices
   std::vector<Index> Order; // live vertices that may move
-  std::vector<Index> Ranks; // of each vertex in Order
+  std::vector<Index> Ranks; // of each vertex, in Order
   std::vector<std::uint8_t> Visited;
 };
 

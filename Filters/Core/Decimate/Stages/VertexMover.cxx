@@ -8,9 +8,9 @@ namespace bonedecimate
 {
 namespace
 {
-/// A step that would lower the error by less than this fraction is not tried,
+/// The fraction of the error that a step must be predicted to gain,
 constexpr double MinGainOfMove = 1e-3;
-/// and where it would have to be proved, by less than this one.
+/// and that of a step that has to be proved.
 constexpr double MinGainOfProvedMove = 3e-3;
 constexpr int AttemptsOfMove = 3;
 }
@@ -76,7 +76,8 @@ void VertexMover::Gather(VertexId vertex)
 }
 
 //------------------------------------------------------------------------------
-/// If that is far, the neighbors may know better.
+/// Finds the nearest point of the original. If it is far, the hints of the neighbors are tried,
+/// too.
 PointOnMesh VertexMover::FindOriginal(VertexId vertex)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -95,8 +96,8 @@ PointOnMesh VertexMover::FindOriginal(VertexId vertex)
 }
 
 //------------------------------------------------------------------------------
-/// Error of the sharp edges from the vertex, if it were there.
-/// @param hint The original triangle near it.
+/// The error of the sharp edges at the vertex if it were at that position.
+/// @param hint An original triangle near it.
 double VertexMover::AddChords(const Vector3& position, Index hint, FitStep* equations) const
 {
   const FarPenalty& far = this->Penalties.OfChords();
@@ -147,7 +148,7 @@ double VertexMover::AddSamples(const TriangleFrame& frame, FaceId face)
 }
 
 //------------------------------------------------------------------------------
-/// The error of the face as it would be; infinite if it would turn away from the original.
+/// The error of the face after the move; infinite if it would turn away from the original.
 double VertexMover::ErrorIfAllowed(const RingFace& ring, const TriangleFrame& frame) const
 {
   const double facing = Dot(frame.UnitNormal(), this->OriginalNormal);

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VertexMover.h
- * @brief One Gauss-Newton step of a vertex towards the original, kept only if the sampled two-sided
- * error falls.
+ * @brief One Gauss-Newton step of a vertex towards the original, kept only if the sampled error in
+ * both directions falls.
  *
- *     gather the samples of the ring's faces and the nearest point of the original
- *       (SampledErrorCost.h)
- *     solve for the step                                                                (FitStep.h)
+ *     gather the samples of the faces of the ring, and the nearest point of the original
+ *     solve for the step                                                        (FitStep.h)
  *     too little to gain:  do not move
- *     the error falls there, and no face turns away from the original:  move; else try half the
- *                                                                       step, then a quarter
+ *     the error falls and no face turns away from the original:  move  (SampledErrorCost.h)
+ *     otherwise, try half of the step, then a quarter
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_VertexMover_h
 #define BoneDecimate_Core_Decimate_Stages_VertexMover_h
@@ -28,7 +27,7 @@ namespace bonedecimate
 class VertexMover
 {
 public:
-  /// @param range What may be changed.
+  /// @param range The vertices that may be changed.
   VertexMover(
     Editor& editor, const Samples& samples, OriginalHints& hints, VertexRange range, int workers)
     : MeshEditor(editor)
@@ -40,7 +39,7 @@ public:
     this->Workspace.Change.Workers = workers;
   }
 
-  /// True if the vertex moved.
+  /// Whether the vertex moved.
   bool Improve(VertexId vertex);
 
 private:
@@ -50,7 +49,7 @@ private:
     Index Neighbor; // at Second
     Vector3 Second, Third;
     Vector3 Normal;
-    double Facing; // cosine between face and original, before the step
+    double Facing; // cosine of the angle to the original before the step
   };
   void Gather(VertexId vertex);
   PointOnMesh FindOriginal(VertexId vertex);

@@ -40,8 +40,8 @@ bool VolumeMover::MoveAll(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// What replaces the volume of open components, which have none: that between the samples and the
-/// faces.
+/// Measures the lost volume of each component. For open components, which have no volume, it is the
+/// volume between samples and faces.
 void VolumeMover::MeasureLost(const std::vector<Height>& heights)
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -63,7 +63,7 @@ void VolumeMover::MeasureLost(const std::vector<Height>& heights)
 }
 
 //------------------------------------------------------------------------------
-/// Where a move gives its component volume back and brings the faces nearer to the samples.
+/// Finds the vertices whose moves restore volume and bring the faces nearer to the samples.
 std::vector<VolumeMover::Candidate> VolumeMover::FindCandidates(
   const std::vector<Height>& heights) const
 {
@@ -116,8 +116,8 @@ std::vector<VolumeMover::Height> VolumeMover::SampledHeights() const
 }
 
 //------------------------------------------------------------------------------
-/// mm^2: three times what a step of the vertex by 1 mm adds to the volume is its part along the
-/// step.
+/// The sum of the area vectors of the ring, mm^2. A move changes the volume by a third of its
+/// product with the move.
 Vector3 VolumeMover::RingArea(VertexId vertex) const
 {
   const HalfEdgeMesh& mesh = this->MeshEditor.Mesh();
@@ -131,7 +131,7 @@ Vector3 VolumeMover::RingArea(VertexId vertex) const
 }
 
 //------------------------------------------------------------------------------
-/// By no more than gives the component its volume.
+/// Moves by no more than restores the volume of the component.
 void VolumeMover::MoveAt(const Candidate& candidate)
 {
   const VertexId vertex = candidate.Vertex;
@@ -144,7 +144,7 @@ void VolumeMover::MoveAt(const Candidate& candidate)
   }
   constexpr int attempts = 2;
   constexpr double nextAttempt = 0.5; // of the height
-  double height = candidate.Sign * std::min(candidate.Missing, 3.0 * std::abs(lost) / length);
+  double height = candidate.Sign * std::min(candidate.Height, 3.0 * std::abs(lost) / length);
   for (int attempt = 0; attempt < attempts; ++attempt, height *= nextAttempt)
   {
     const Vector3 before = this->MeshEditor.Mesh().Position(vertex);

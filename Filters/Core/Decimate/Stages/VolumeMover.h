@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VolumeMover.h
- * @brief Gives components the volume back that edits took, by moves within the error bound.
+ * @brief Restores the volume of components by moves within the error bound.
  *
- *     of each vertex:   the mean distance of the samples in its faces from these faces, along its
- *                       normal
- *     of each component that has lost volume, the vertices where most of it is missing first:
- *         move along the normal by that distance, or by half of it, where the faces then keep
- *           within the bound   (SlackMover)
+ *     for each vertex:   the mean height of the samples of its faces above these faces
+ *     for each component that has lost volume, vertices with the largest height first:
+ *         move along the normal by the height, or by half of it, if the faces then keep within
+ *         the bound                                                             (SlackMover)
  *     until the component has its volume
  *
- * Moves that only lower the largest distance cut off more of convex parts than they add to concave
+ * Moves that only lower the largest distance remove more of convex parts than they add to concave
  * ones.
  */
 #ifndef BoneDecimate_Core_Decimate_Stages_VolumeMover_h
@@ -27,7 +26,7 @@ namespace bonedecimate
 class VolumeMover
 {
 public:
-  /// @param samples In the faces where they belong.
+  /// @param samples Distributed over the faces.
   VolumeMover(Editor& editor, Samples& samples, OriginalHints& hints)
     : MeshEditor(editor)
     , OriginalSamples(samples)
@@ -41,14 +40,14 @@ public:
 private:
   struct Candidate
   {
-    double Missing; // mm
-    double Sign;    // of the move along the normal of the ring
+    double Height; // mm, absolute
+    double Sign;   // direction of the move along the normal of the ring
     Index Vertex;
 
     bool operator<(const Candidate& other) const
     {
-      return this->Missing != other.Missing ? this->Missing > other.Missing
-                                            : this->Vertex < other.Vertex;
+      return this->Height != other.Height ? this->Height > other.Height
+                                          : this->Vertex < other.Vertex;
     }
   };
   /// Mean height of the samples of a face above it, weighted by their areas.
