@@ -88,7 +88,7 @@ MUTANTS = (
            "            later.push_back(v);\n", "            (void)v;\n"),
     of_draft("overlapping edits of a batch are applied", BATCH,
              "return std::all_of(this->ChangedBoxes.begin(), this->ChangedBoxes.end(), isApart) &&",
-             "return (this->Batch > 0 || std::all_of(this->ChangedBoxes.begin(), this->ChangedBoxes.end(), isApart)) &&",
+             "return (this->BatchNumber > 0 || std::all_of(this->ChangedBoxes.begin(), this->ChangedBoxes.end(), isApart)) &&",
              BATCH_TESTS),
     of_draft("edits of a batch are applied within the reach of others", BATCH, "reach = candidate.Workspace.Change.Reach;", "reach = 0.0;",
              BATCH_TESTS),
