@@ -45,7 +45,7 @@ std::optional<std::vector<double>> ReadNumbers(vtkDataArray* array);
 /// Whether the run has to say where its points and triangles lie on the input.
 bool NeedsOrigins(vtkPolyData* input, const Options& options);
 
-/// The result's points, triangles, report and those arrays that were filled (Decimate.h); the
+/// The result's points, triangles, report and those arrays that were filled (Result.h); the
 /// input's vertices, lines and field data pass through, its arrays as DataTransfer.h says.
 void FillOutput(const Result& result, const ConvertedSurface& converted, const Options& options,
   bool single, vtkPolyData* input, vtkPolyData* output);

@@ -5,7 +5,8 @@
  * @brief   make a bone surface smaller, keep every fragment, report the error in millimeters
  *
  * Takes a surface as marching cubes leaves it (triangles, strips or polygons, points shared or not)
- * and returns one with fewer triangles, by an edge collapse ordered by normal field deviation.
+ * and returns one with fewer triangles, by edge collapses in an order
+ * that depends on the mode (SetMode()).
  * Coordinates are millimeters. No component of the input is removed or merged with another, open
  * boundaries move only along themselves, edges and vertices that are not manifold stay as they are.
  *

@@ -225,7 +225,7 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
     bonedecimate::RunWarnings(converted.Surface, found.Found.Report, options.Run.NumberOfThreads));
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
-  this->ErrorTriedInVain = found.TriedInVain;
+  this->ErrorTriedInVain = found.MaxFailedError;
   FillSurface(
     found.Found, converted, options.Run, map, input, vtkPolyData::GetData(outputVector, 0));
   FillTable(found.Trials, vtkTable::GetData(outputVector, 1));

@@ -9,16 +9,15 @@
  *     shared  points of open boundaries and of curves between labels that more than one process has
  *     smoothing process 0 smooths the whole surface and hands each process its points
  *     phase 1   each process decimates its part, towards its part of the triangles, and away from
- *               the parts of others; shared
- *               points and the corners of their triangles are constrained
+ *               the parts of others; shared points and the corners of their triangles are
+ *               constrained
  *     phase 2   strips around what phase 1 left go to process 0, are joined there and decimated
- *               further with their rims
- *               constrained; the result stays there
+ *               further with their rims constrained; the result stays there
  *     voxels    process 0 compares the voxels of the whole input and of the whole result
  *
- * The result hangs together as the input did, wherever points are equal. TargetNumberOfTriangles
- * and TargetReduction are meant of the whole surface. MaximumError holds of the whole surface,
- * relative to the input before smoothing: both phases are proved against the input.
+ * The result is connected as the input is, wherever points are equal. TargetNumberOfTriangles and
+ * TargetReduction refer to the whole surface. MaximumError holds for the whole surface, relative to
+ * the input before smoothing: both phases are proved against the input.
  * IntersectionGuard works across processes. The same partition gives the same bytes. With an array
  * of tolerances, with a reference, and in Thesis mode with MaximumError there is no second phase:
  * the triangles at the shared points stay as they are.

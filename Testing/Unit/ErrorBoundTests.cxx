@@ -119,11 +119,11 @@ TEST(ErrorBound, IsRejectedIfSinglePrecisionCannotKeepIt)
   };
   const double beyond = 1e-4; // mm; half of what two single numbers lie apart out there is 5e-4
   const Report rejected = run(beyond, -1.0, PointsPrecision::Single);
-  EXPECT_EQ(rejected.Status, InputStatus::SinglePrecisionTooCoarse);
+  EXPECT_EQ(rejected.Status, InputStatus::RoundingTooCoarse);
   EXPECT_GT(rejected.Cleaning.CoarsePoints, 0);
   EXPECT_GT(rejected.Cleaning.MaxRounding, beyond);
   EXPECT_NE(InputMessage(rejected).find("double precision"), std::string::npos);
-  EXPECT_EQ(run(0.1, 0.0, PointsPrecision::Single).Status, InputStatus::SinglePrecisionTooCoarse);
+  EXPECT_EQ(run(0.1, 0.0, PointsPrecision::Single).Status, InputStatus::RoundingTooCoarse);
   for (const Report& kept : { run(0.1, -1.0, PointsPrecision::Single),
          run(beyond, 0.0, PointsPrecision::Double), run(beyond, -1.0, PointsPrecision::Double) })
   {
@@ -167,7 +167,7 @@ TEST(ErrorBound, IsRejectedIfSinglePrecisionMergesPoints)
   options.TargetNumberOfTriangles = static_cast<Index>(input.Triangles.size());
   options.OutputPointsPrecision = PointsPrecision::Single;
   const Result rejected = Decimate(input, options);
-  EXPECT_EQ(rejected.Report.Status, InputStatus::SinglePrecisionTooCoarse);
+  EXPECT_EQ(rejected.Report.Status, InputStatus::RoundingTooCoarse);
   EXPECT_GT(rejected.Report.Cleaning.MeetingPoints, 0);
   EXPECT_GE(rejected.Report.Cleaning.FirstCoarsePoint, 0);
   EXPECT_TRUE(rejected.Surface.Triangles.empty());

@@ -48,9 +48,9 @@ TEST(ErrorSearch, EndsAtTheRequestedPrecision)
 {
   const Surface input = BumpySphere(4, 20.0, 0.1, 5);
   const ErrorSearchResult found = FindSmallestError(input, SearchFor(Mode::Fast, 700, 0.03));
-  EXPECT_GE(found.TriedInVain, 0.97 * BestOf(found).Proved);
+  EXPECT_GE(found.MaxFailedError, 0.97 * BestOf(found).Proved);
   Options failed = InMode(Mode::Fast, Triangles(700));
-  failed.MaximumError = found.TriedInVain;
+  failed.MaximumError = found.MaxFailedError;
   EXPECT_GT(Decimate(input, failed).Surface.Triangles.size(), 700U);
 }
 

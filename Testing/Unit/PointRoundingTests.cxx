@@ -97,7 +97,7 @@ TEST(PointRounding, PointsThatTheGridWouldMergeAreKeptApart)
   }
   else
   {
-    EXPECT_EQ(result.Report.Status, InputStatus::SinglePrecisionTooCoarse);
+    EXPECT_EQ(result.Report.Status, InputStatus::RoundingTooCoarse);
     EXPECT_NE(InputMessage(result.Report).find("multiples of 0.0625 mm"), std::string::npos);
   }
 }
@@ -106,7 +106,7 @@ TEST(PointRounding, AnErrorThatTheGridExceedsIsRejected)
 {
   const Surface input = Moved(Icosphere(2, 10.0), Vector3(0.1, 0.2, 0.3));
   const Report report = Decimate(input, OnGrid(Mode::Fast, 0.1, 1.0)).Report;
-  EXPECT_EQ(report.Status, InputStatus::SinglePrecisionTooCoarse);
+  EXPECT_EQ(report.Status, InputStatus::RoundingTooCoarse);
   EXPECT_NE(InputMessage(report).find("a finer grid"), std::string::npos);
 }
 
@@ -120,7 +120,7 @@ TEST(PointRounding, PointsOfToleranceZeroOffTheGridAreRejected)
     return Decimate(surface, OnGrid(Mode::Fast, 0.2), {}, { false, false, &tolerances })
       .Report.Status;
   };
-  EXPECT_EQ(run(input), InputStatus::SinglePrecisionTooCoarse);
+  EXPECT_EQ(run(input), InputStatus::RoundingTooCoarse);
   Surface onGrid = input;
   for (Vector3& p : onGrid.Points)
   {

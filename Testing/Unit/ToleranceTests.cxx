@@ -320,7 +320,7 @@ TEST(Tolerance, ThatIsPositiveIsRejectedInThesisMode)
   const Surface input = Icosphere(2, 10.0);
   const Options thesis = InMode(Mode::Thesis, Unmeasured());
   const Report report = DecimateWith(input, thesis, Halves(input, 0.5, 0.0)).Report;
-  EXPECT_EQ(report.Status, InputStatus::TolerancesInThesis);
+  EXPECT_EQ(report.Status, InputStatus::UnprovableTolerances);
   EXPECT_NE(InputMessage(report).find("Thesis"), std::string::npos);
 }
 

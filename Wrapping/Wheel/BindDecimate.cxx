@@ -135,6 +135,6 @@ void BindDecimate(nb::module_& module)
     nb::arg("labels").none() = nb::none(), nb::arg("label_map").none() = nb::none(),
     nb::arg("prepared").none() = nb::none(), nb::arg("edge_lengths").none() = nb::none(),
     nb::arg("left_out") = LeftOutIn(),
-    "One run; the keys of what it returns are those of Decimate.h.");
+    "One run; the keys of what it returns are the members of Result (Result.h) in lower case.");
 }
 }

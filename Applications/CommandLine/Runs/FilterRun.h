@@ -19,12 +19,11 @@
 
 namespace bonedecimate
 {
-/// Reads a surface and appends what the reader warns of. @throws Failure(ExitCode::InputRejected)
-/// @throws Failure(ExitCode::Usage) if a unit was requested that the file, which names its own,
-///   does not have.
+/// Checks the requested unit. @throws Failure(ExitCode::Usage) if the file names another one.
 void RequireUnitOfFile(
   const MillimeterSurface& loaded, const std::string& path, const LengthUnit& unit);
 
+/// Reads a surface and appends what the reader warns of. @throws Failure(ExitCode::InputRejected)
 MillimeterSurface ReadInput(
   const std::string& path, const LengthUnit& unit, std::vector<std::string>& warnings);
 

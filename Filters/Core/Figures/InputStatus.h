@@ -21,13 +21,13 @@ enum class InputStatus : int
   TooManyTriangles,      ///< More than 2^31 / 4 triangles.
   BadTolerances,         ///< NaN or infinite, or not one for each point.
   BadEdgeLengths,        ///< Not above 0, NaN or infinite, or not one for each point.
-  TolerancesInThesis,    ///< Thesis mode proves nothing: it allows only 0 and no limit.
+  UnprovableTolerances,  ///< Thesis mode proves nothing: it allows only 0 and no limit.
   ReferenceWithoutError, ///< A reference needs a largest error.
   BadReference,          ///< It has no triangle, or would be rejected as an input.
   FarFromReference,      ///< The input is farther from it than the largest error.
   EverythingPruned,      ///< No component reaches the requested size.
   /// Rounding moves points farther than the error or tolerances allow, or onto other points.
-  SinglePrecisionTooCoarse,
+  RoundingTooCoarse,
   /// The largest error is more than a quarter of the diagonal, and AllowLargeError is off.
   ErrorBeyondSize,
   /// The largest error is less than a millionth of the diagonal: rounding alone exceeds it.

@@ -57,7 +57,7 @@ constexpr RejectionInfo RejectionTable[] = {
   { Rejection::ErrorBound, "error_bound",
     "it was not proved that the surfaces stay within the largest error" },
   { Rejection::Constrained, "constrained",
-    "a point may not move, because its tolerance or that of a neighbor is 0" },
+    "a point or a neighbor of it may not move: its tolerance is 0, or other parts have it" },
   { Rejection::Intersection, "intersection",
     "triangles would intersect, or a gap become narrower than half its width" },
   { Rejection::VoxelLabel, "voxel_label", "a voxel of the label map would get another label" },

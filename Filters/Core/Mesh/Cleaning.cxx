@@ -137,7 +137,7 @@ public:
   /// False if no triangle is left.
   bool Run(bool mergePoints)
   {
-    this->FindStands(mergePoints);
+    this->FindRepresentatives(mergePoints);
     this->DropTriangles();
     if (this->Clean.Statistics.DroppedTriangles == this->Clean.Statistics.TrianglesRead)
     {
@@ -172,7 +172,7 @@ private:
     return used;
   }
 
-  void FindStands(bool mergePoints)
+  void FindRepresentatives(bool mergePoints)
   {
     const std::vector<char> used = this->UsedPoints();
     ForEachId(this->Representative.size(), this->Threads,
@@ -283,9 +283,9 @@ private:
         used[corner] = this->Fates[t] == Fate::Kept ? 1 : used[corner];
       }
     }
-    for (Index& stand : this->Representative)
+    for (Index& point : this->Representative)
     {
-      stand = stand == None || used[stand] == 0 ? None : stand;
+      point = point == None || used[point] == 0 ? None : point;
     }
   }
 

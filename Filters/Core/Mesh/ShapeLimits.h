@@ -24,7 +24,7 @@ struct ShapeLimits
 
   bool LimitsAngles() const { return this->MaxCosine < 1.0; }
   bool LimitsEdges() const { return this->EdgeLength > 0.0; }
-  bool IsAny() const { return !this->LimitsAngles() && !this->LimitsEdges(); }
+  bool IsLimited() const { return this->LimitsAngles() || this->LimitsEdges(); }
 
   /// The requested length, mm, of an edge with these ends: the smaller one of those at its ends.
   double RequestedLength(const Vector3& a, const Vector3& b) const;

@@ -30,7 +30,9 @@ enum class VertexConstraint : std::uint8_t
   Stationary,         ///< Interior of its manifold patch, but other patches meet there.
   StationaryBoundary, ///< On the boundary of its manifold patch, where other patches meet it.
   NonManifold,        ///< On a non-manifold edge, or where fans meet in one point, and not split.
-  Constrained         ///< Has a tolerance of 0, or is a corner of a face with such a vertex.
+  /// No edit may change it: its tolerance is 0, other parts have it, or it is a corner of a face
+  /// with such a vertex.
+  Constrained
 };
 
 /// The vertex never moves, is never removed, and nothing is collapsed onto it. No edit changes a

@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Mesh_VertexRange_h
 
 #include "Geometry/Surface.h"
+#include "Handles.h"
 
 #include <cstdint>
 #include <limits>
@@ -17,13 +18,13 @@ namespace bonedecimate
 struct VertexRange
 {
   Index First = 0;
-  Index Last = std::numeric_limits<Index>::max(); ///< One past the end.
+  Index End = std::numeric_limits<Index>::max(); ///< One past the end.
   /// Whether the range contains all of `count` vertices.
-  bool HasAll(Index count) const { return this->First <= 0 && this->Last >= count; }
+  bool HasAll(Index count) const { return this->First <= 0 && this->End >= count; }
   bool Contains(VertexId v) const
   {
     return static_cast<std::uint32_t>(v - this->First) <
-      static_cast<std::uint32_t>(this->Last - this->First);
+      static_cast<std::uint32_t>(this->End - this->First);
   }
 };
 }

@@ -48,7 +48,7 @@ struct OptionInfo
   std::string Flag; ///< Long flag of the command line without dashes; empty: not there.
   std::vector<std::string> Choices; ///< Names of the values 0, 1, ... of a choice.
   std::string Sentence;             ///< What it means and what happens at the ends of its range.
-  std::vector<NeedList> Needs;      ///< What a list has that other options meet is told together.
+  std::vector<NeedList> Needs;      ///< Unmet needs of a list are named together.
   bool (*IsUsed)(const Options& options) = nullptr; ///< If null, any value but the default.
   PanelGroup Group = PanelGroup::NoGroup;
   bool IsAdvanced = false;       ///< Hidden in panels at first.

@@ -37,8 +37,8 @@ enum class KeepVoxels : int
 {
   Off = 0,
   On = 1,
-  Automatic =
-    2 ///< If the grid is known, and there is no largest error or one of at most half a voxel.
+  /// If the grid is known, and there is no largest error or one of at most half a voxel.
+  Automatic = 2
 };
 
 /// A field for each row of OptionRows.def, which has its default, meaning, range and unit.
@@ -112,10 +112,10 @@ struct Options
       this->TargetReduction == 0.0;
   }
 
-  /// Whether small components are to go: an option is used that needs whole components.
+  /// Whether small components are removed: an option is used that needs whole components.
   bool Prunes() const;
 
-  /// The same options, without those by which components go.
+  /// The same options without those that remove components.
   Options WithoutPruning() const;
 
   /// Whether the copy of the input says which output point each of its points became.

@@ -34,7 +34,7 @@ struct Lack
 struct RunKind
 {
   std::string Name;
-  std::vector<Lack> Lacks; ///< The first that applies is told.
+  std::vector<Lack> Lacks; ///< The first that applies gives the message.
 };
 
 /// Rows of the kinds of run. Those of the program are in

@@ -47,6 +47,14 @@ bool EndsWithProof(const RunTask& task)
     WantsProof(task.Effective, task.Inputs.Tolerances != nullptr);
 }
 
+/// Smoothing alone is proved, too: its distance becomes the largest error and leaves nothing for
+/// edits.
+void BoundSmoothingAlone(RunTask& task)
+{
+  task.Effective.MaximumError = task.Smoothing.Radius;
+  task.Smoothing.SmallBelow = 0.0;
+}
+
 RunTask TaskOf(
   const Surface& input, const Options& options, const RunInputs& inputs, Report& report)
 {
@@ -62,8 +70,7 @@ RunTask TaskOf(
   task.Smoothing = PlanSmoothing(input, task.Effective, inputs.LabelMap);
   if (options.KeepsAllTriangles() && options.ProvesError() && task.Effective.MaximumError == 0.0)
   {
-    task.Effective.MaximumError = task.Smoothing.Radius; // smoothing alone is proved, too
-    task.Smoothing.SmallBelow = 0.0;                     // and leaves nothing for edits
+    BoundSmoothingAlone(task);
   }
   return task;
 }

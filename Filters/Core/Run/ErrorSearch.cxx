@@ -171,7 +171,7 @@ ErrorSearchResult FindSmallestError(
     low = isReached ? low : std::max(low, error);
     error = low > 0.0 ? std::sqrt(low * high) : 0.5 * high;
   }
-  trials.Output().TriedInVain = low;
+  trials.Output().MaxFailedError = low;
   return std::move(trials.Output());
 }
 

@@ -58,7 +58,7 @@ struct ErrorSearchResult
   std::vector<ErrorTrial> Trials; ///< In the order of the runs; without an aborted one.
   int Best = -1;                  ///< Index of a trial; -1: no run reached the number of triangles.
   /// mm, the largest error below the best one with which a run failed; 0: none.
-  double TriedInVain = 0.0;
+  double MaxFailedError = 0.0;
   bool WasAborted = false; ///< By the monitor; earlier results are kept.
   Result Found;            ///< The best run; the last one if none reached the number.
 };

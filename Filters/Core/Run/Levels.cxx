@@ -39,7 +39,7 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads, const Run
   {
     return LogStatus::OtherSurface;
   }
-  SortAlongCurve(clean, threads); // the same numbers as in the run, see Decimate.cxx
+  SortAlongCurve(clean, threads); // the same numbers as in the run, see PrepareInput.cxx
   if (SplitIntoManifoldPatches(clean, threads, PatchLabels(clean, inputs.Labels, map)))
   {
     SortAlongCurve(clean, threads);

@@ -26,7 +26,7 @@ std::vector<double> LimitsOf(
     const ErrorLimits allowed(mesh, bound);
     for (std::size_t v = 0; v < limits.size(); ++v)
     {
-      limits[v] = task.Smoothing.PartOf(allowed.At(static_cast<Index>(v)));
+      limits[v] = task.Smoothing.UsableOf(allowed.At(static_cast<Index>(v)));
     }
   }
   else

@@ -100,7 +100,10 @@ private:
   }
 
   /// Rounded down, so that the movement can be added again.
-  double Less(double length) const { return std::nextafter(length - this->Figures.Movement, 0.0); }
+  double WithoutMovement(double length) const
+  {
+    return std::nextafter(length - this->Figures.Movement, 0.0);
+  }
 
   void Reduce(RunRequest& request)
   {
@@ -109,7 +112,7 @@ private:
     RunInputs& inputs = request.Inputs;
     if (this->Error > 0.0)
     {
-      options.MaximumError = this->Less(this->Error);
+      options.MaximumError = this->WithoutMovement(this->Error);
       options.ErrorPreset = ErrorPreset::NoPreset;
     }
     this->ReducedError = options.MaximumError;
@@ -121,27 +124,28 @@ private:
       for (std::size_t i = 0; i < this->Tolerances.size(); ++i)
       {
         double& tolerance = this->Tolerances[i];
-        tolerance = tolerance > 0.0 ? std::max(0.0, this->Less(tolerance)) : tolerance;
+        tolerance = tolerance > 0.0 ? std::max(0.0, this->WithoutMovement(tolerance)) : tolerance;
       }
       inputs.Tolerances = &this->Tolerances;
     }
   }
 
-  double More(double length) const { return length + this->Figures.Movement; }
+  double WithMovement(double length) const { return length + this->Figures.Movement; }
 
   void WidenDistance(ProvedDistance& distance) const
   {
     distance.Lower = std::max(0.0, distance.Lower - this->Figures.Movement);
-    distance.Upper = this->More(distance.Upper);
+    distance.Upper = this->WithMovement(distance.Upper);
   }
 
   /// Makes what is bounded, and what names the input, refer to the input.
   void Widen(Result& result) const
   {
     Report& report = result.Report;
-    const auto restored = [&](double length) {
+    const auto restored = [&](double length)
+    {
       return length == this->ReducedError ? this->Error
-        : length > 0.0                    ? this->More(length)
+        : length > 0.0                    ? this->WithMovement(length)
                                           : length;
     };
     report.Size.MaxError = restored(report.Size.MaxError);
@@ -160,13 +164,13 @@ private:
     }
     for (LeftOut& leftOut : report.LeftOut)
     {
-      leftOut.Distance = this->More(leftOut.Distance); // not a number stays one
+      leftOut.Distance = this->WithMovement(leftOut.Distance); // not a number stays one
     }
     for (std::vector<double>* bounds : { &result.ErrorBound, &result.InputErrorBound })
     {
       for (double& bound : *bounds)
       {
-        bound = this->More(bound);
+        bound = this->WithMovement(bound);
       }
     }
   }

@@ -92,7 +92,7 @@ void Editor::AddFilters(const EditorSettings& settings, const Monitor& monitor)
   this->Fragments = std::make_shared<FragmentGuard>(
     this->CurrentMesh, clean.Surface, clean.ManifoldPatches.OriginalVertices);
   this->Filters.push_back(this->Fragments);
-  if (!settings.Shape.IsAny())
+  if (settings.Shape.IsLimited())
   {
     this->Filters.push_back(
       std::make_shared<ShapeFilter>(settings.Shape, this->CurrentMesh, settings.Threads));

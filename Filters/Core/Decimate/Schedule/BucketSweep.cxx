@@ -240,7 +240,7 @@ std::vector<BlockTask> BucketSweep::Blocks(CostBucket limit, BlockCut cut) const
     task.Limit = limit;
     task.PositionsTried = this->TriesAll ? this->PositionsTried : 1;
     task.Collapses = CountUpTo(limit, this->Data.Buckets.data() + task.Vertices.First,
-      this->Data.Buckets.data() + task.Vertices.Last);
+      this->Data.Buckets.data() + task.Vertices.End);
     ready += task.Collapses;
     blocks.push_back(task);
   }
@@ -259,7 +259,7 @@ std::vector<BlockTask> BucketSweep::Blocks(CostBucket limit, BlockCut cut) const
 BlockTask BucketSweep::WholeTask(CostBucket limit, Index faces) const
 {
   BlockTask task;
-  task.Vertices.Last = this->MeshEditor.Mesh().NumberOfVertexSlots();
+  task.Vertices.End = this->MeshEditor.Mesh().NumberOfVertexSlots();
   task.Limit = limit;
   task.PositionsTried = this->TriesAll ? this->PositionsTried : 1;
   task.Collapses = std::max(0, this->MeshEditor.Mesh().NumberOfFaces() - faces);

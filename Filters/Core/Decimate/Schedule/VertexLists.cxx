@@ -12,7 +12,7 @@ void VertexLists::Fill(const BlockTask& task)
   this->Task = task;
   this->Lists.Clear();
   const CostBucket* buckets = this->Data.Buckets.data();
-  for (Index end = task.Vertices.Last; end > task.Vertices.First; end -= step)
+  for (Index end = task.Vertices.End; end > task.Vertices.First; end -= step)
   {
     const Index first = std::max(task.Vertices.First, end - step);
     const bool hasAny = CountUpTo(task.Limit, buckets + first, buckets + end) > 0;

@@ -57,7 +57,7 @@ public:
     , Clean(clean)
     , Rounding(rounding)
   {
-    this->Workspace.Change.Range.Last = editor.Mesh().NumberOfVertexSlots();
+    this->Workspace.Change.Range.End = editor.Mesh().NumberOfVertexSlots();
   }
 
   std::vector<Index> SeparateAll()
@@ -177,6 +177,6 @@ InputStatus SeparateCoincidentPoints(Editor& editor, const Surface& input,
   }
   found.MeetingPoints = static_cast<std::int64_t>(left.size());
   found.FirstCoarsePoint = clean.InputPoint[left.front()];
-  return InputStatus::SinglePrecisionTooCoarse;
+  return InputStatus::RoundingTooCoarse;
 }
 }

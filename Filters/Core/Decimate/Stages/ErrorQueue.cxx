@@ -15,7 +15,7 @@ ErrorQueue::ErrorQueue(Editor& editor, Samples& samples, OriginalHints& hints,
   , Block(block)
   , Fan(editor.Mesh(), samples, hints)
 {
-  this->Workspace.Change.Range = { block.First, block.Last };
+  this->Workspace.Change.Range = { block.First, block.End };
   this->Workspace.Change.Workers = block.Workers;
 }
 

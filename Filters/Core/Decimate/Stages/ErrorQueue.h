@@ -44,16 +44,16 @@ struct EvaluatedEdge
   }
 };
 
-/// Vertices [First, Last), and limits for their collapses.
+/// Vertices [First, End), and limits for their collapses.
 struct ErrorBlock
 {
   Index First = 0;
-  Index Last = std::numeric_limits<Index>::max();
+  Index End = std::numeric_limits<Index>::max();
   double Limit = Infinity;     // cost above which an edge is left over
   float MaxQuadricCost = 0.0F; // by quadrics; edges above it are not evaluated
   int Workers = 1;             // that work at the same time
 
-  bool Contains(VertexId v) const { return v >= this->First && v < this->Last; }
+  bool Contains(VertexId v) const { return v >= this->First && v < this->End; }
 };
 
 class ErrorQueue

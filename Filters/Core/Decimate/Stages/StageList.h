@@ -37,7 +37,7 @@ struct StageInput
   /// Receives counts of forced collapses; null: not recorded.
   ForcedCollapseFigures* Forced = nullptr;
 
-  bool ImprovesShape() const { return !this->Shape.IsAny(); }
+  bool ImprovesShape() const { return this->Shape.IsLimited(); }
   bool HasReachedFaces() const;
 };
 

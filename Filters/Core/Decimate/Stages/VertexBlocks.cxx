@@ -37,7 +37,7 @@ VertexRange VertexBlocks::RangeOf(Index first, Index last) const
   const Index count = static_cast<Index>(this->Order.size());
   VertexRange range;
   range.First = first == 0 ? 0 : this->Order[first];
-  range.Last = last == count ? static_cast<Index>(this->Ranks.size()) : this->Order[last];
+  range.End = last == count ? static_cast<Index>(this->Ranks.size()) : this->Order[last];
   return range;
 }
 

@@ -7,7 +7,7 @@
  *     regions         connected by common points; those within reach of each other, or with
  *                     points that are neighbors, are one
  *     surroundings    triangles within reach of the convex bound of the region
- *                     (Slabs.h), and two rings around it
+ *                     (DirectionBounds.h), and two rings around it
  *
  * Nothing depends on the number of threads.
  */

@@ -12,9 +12,9 @@
 #ifndef BoneDecimate_Core_Partition_Regions_RegionPart_h
 #define BoneDecimate_Core_Partition_Regions_RegionPart_h
 
+#include "DirectionBounds.h"
 #include "Run/Input/Labels.h"
 #include "Run/Output/Result.h"
-#include "Slabs.h"
 
 #include <vector>
 
@@ -27,7 +27,7 @@ struct Region
   std::vector<Index> Points;      ///< Their corners. No other region has one of them.
   std::vector<double> Tolerances; ///< mm, of these points; negative: none.
   double Reach = 0.0;             ///< mm, within which triangles are surroundings.
-  Slabs Bound;                    ///< Bound of these points, mm relative to the local origin.
+  DirectionBounds Bound;          ///< Bound of these points, mm relative to the local origin.
 
   bool operator==(const Region& other) const
   {

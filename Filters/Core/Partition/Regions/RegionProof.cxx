@@ -29,7 +29,7 @@ Surface ChangedTriangles(const RegionPart& part)
   return changed;
 }
 
-/// Those that replace them.
+/// The triangles that replace those of the region.
 Surface NewTriangles(const RegionPart& part)
 {
   Surface renewed = { part.Result.Surface.Points, {} };

@@ -339,13 +339,13 @@ RegionStatus TryRegions(const Surface& input, const Options& options, const Moni
 Result DecimateRegions(const Surface& input, const Options& options, const Monitor& monitor,
   const RunInputs& inputs, WholeRun run)
 {
-  double told = 0.0;
-  bool goesOn = true;
+  double reported = 0.0;
+  bool shouldContinue = true;
   const Monitor forward = [&](double fraction) // the whole may run after regions
   {
-    told = std::max(told, fraction);
-    goesOn = goesOn && (!monitor || monitor(told));
-    return goesOn;
+    reported = std::max(reported, fraction);
+    shouldContinue = shouldContinue && (!monitor || monitor(reported));
+    return shouldContinue;
   };
   Result result;
   const RegionStatus status = TryRegions(input, options, forward, inputs, run, result);

@@ -27,10 +27,10 @@ bool Reaches(const std::vector<Vector3>& points, const Triangle& corners, const 
 /// The triangles that reach between the planes, and their points, in their order.
 SurfacePiece CutBetween(const SurfacePiece& surface, const Zone& zone);
 
-/// Both; their points are not merged.
+/// The triangles of both pieces, in order; equal points are not merged.
 SurfacePiece Joined(SurfacePiece first, const SurfacePiece& second);
 
-/// The largest of a coordinate of its points, mm.
+/// The largest absolute coordinate of the points, mm.
 double MaxCoordinateOf(const Surface& surface);
 
 /// Removes points without triangles.

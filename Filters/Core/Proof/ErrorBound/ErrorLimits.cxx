@@ -45,9 +45,9 @@ double SlackOf(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
 ErrorLimits::ErrorLimits(const HalfEdgeMesh& original, const ErrorBoundSettings& settings)
   : OriginalMesh(original)
 {
-  this->Slack = SlackOf(original, settings);
+  this->RoundingMargin = SlackOf(original, settings);
   const auto withoutSlack = [this](double error)
-  { return RoundedDown(std::max(0.0, error * (1.0 - RelativeSlack) - this->Slack)); };
+  { return RoundedDown(std::max(0.0, error * (1.0 - RelativeSlack) - this->RoundingMargin)); };
   this->MaxLimit = withoutSlack(settings.Error);
   if (settings.Tolerances != nullptr)
   {
@@ -72,8 +72,8 @@ void ErrorLimits::Reduce(const std::vector<double>& distances, double part)
   {
     if (isNear(distances[v]))
     {
-      this->VertexLimits[v] = std::min(
-        this->VertexLimits[v], RoundedDown(std::max(0.0, part * distances[v] - this->Slack)));
+      this->VertexLimits[v] = std::min(this->VertexLimits[v],
+        RoundedDown(std::max(0.0, part * distances[v] - this->RoundingMargin)));
     }
   }
 }

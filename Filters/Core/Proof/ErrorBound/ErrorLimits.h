@@ -63,7 +63,7 @@ public:
 
 private:
   const HalfEdgeMesh& OriginalMesh;
-  double Slack = 0.0;               // mm
+  double RoundingMargin = 0.0;      // mm
   double MaxLimit = 0.0;            // mm
   std::vector<double> VertexLimits; // mm, of each vertex; empty: the same for all
 };

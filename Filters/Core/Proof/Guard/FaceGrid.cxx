@@ -11,7 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-/// Cells along an axis have numbers of 21 bits; positions beyond count to the last one.
+/// Cell numbers have 21 bits per axis; positions beyond belong to the outermost cell.
 constexpr std::int32_t Farthest = (1 << 20) - 1;
 /// Width of a cell, in faces. Faces grow: in smaller cells they would soon be in too many, and
 /// larger cells have parts of too many workers in them.

@@ -50,7 +50,7 @@ struct PairFace : PlaneTriangle
 /// mm^2, between the boxes of two faces.
 double SquaredDistance(const PairFace& a, const PairFace& b);
 
-/// mm, the corners of the box around at least one face.
+/// mm, lower and upper corner of the box around the faces, at least one.
 Vector3 MinOf(const std::vector<PairFace>& faces);
 Vector3 MaxOf(const std::vector<PairFace>& faces);
 

@@ -228,7 +228,7 @@ bool Samples::SortByFace(Index faces, int threads, const Monitor& monitor)
 {
   for (const Index face : this->FacesOfSamples)
   {
-    this->FirstSamples[face] += this->FirstSamples[face] == None ? 2 : 1; // their number
+    this->FirstSamples[face] += this->FirstSamples[face] == None ? 2 : 1; // None is -1
   }
   Index end = 0;
   for (Index& count : this->FirstSamples)

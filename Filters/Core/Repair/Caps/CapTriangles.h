@@ -37,7 +37,7 @@ struct Cap
  * one triangle, each other edge of a cap two. If the surface already has such an edge, it is split
  * in the middle.
  * @param surface Receives the new points.
- * @param found Added receives the ends of split edges, Chords the edges of the caps.
+ * @param found SplitEdges receives the ends of split edges, Chords the edges of the caps.
  * @param group Indices of loops. Those that cannot be filled are in no cap.
  */
 std::vector<Cap> FillLoops(Surface& surface, BoundaryLoops& found,

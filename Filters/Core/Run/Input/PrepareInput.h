@@ -97,8 +97,8 @@ inline bool ContinuesEarlierRun(const RunInputs& inputs)
   return inputs.Part != nullptr && inputs.Part->Reference != nullptr;
 }
 
-/// Whether curves between labels are collapsed. A log cannot record it for label maps, and does not
-/// come with labels.
+/// Whether curves between labels are collapsed: there are labels or several pairs of them, and no
+/// log, which cannot record such collapses.
 bool CollapsesFeatureCurves(const RunInputs& inputs);
 
 /// @param task Its largest error is lowered to the diagonal if it is more.

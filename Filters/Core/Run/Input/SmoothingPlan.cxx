@@ -44,7 +44,7 @@ void PlanByVoxels(const VoxelGrid& grid, const Options& options, SmoothingPlan& 
   plan.SmallBelow = (1.0 - RelativeAccuracy) * least;
   if (error > 0.0)
   {
-    plan.Radius = std::min(plan.Radius, plan.PartOf(error));
+    plan.Radius = std::min(plan.Radius, plan.UsableOf(error));
   }
 }
 }

@@ -39,7 +39,7 @@ struct SmoothingPlan
   /// The label map of the input; null: not known.
   const LabelMapSource* Source() const { return this->Found ? &*this->Found : this->Given; }
   /// mm, what smoothing may use of a limit, mm.
-  double PartOf(double limit) const { return limit < this->SmallBelow ? limit / 3.0 : limit; }
+  double UsableOf(double limit) const { return limit < this->SmallBelow ? limit / 3.0 : limit; }
 };
 
 /// @param options With the largest error of the preset.  @param labelMap Null: not known.

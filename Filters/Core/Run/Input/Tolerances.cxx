@@ -32,7 +32,7 @@ InputStatus CheckTolerances(const std::vector<double>& given, std::size_t number
   }
   const bool hasPositive =
     std::any_of(given.begin(), given.end(), [](double t) { return t > 0.0; });
-  return hasPositive && !provesError ? InputStatus::TolerancesInThesis : InputStatus::Good;
+  return hasPositive && !provesError ? InputStatus::UnprovableTolerances : InputStatus::Good;
 }
 
 //------------------------------------------------------------------------------
@@ -53,7 +53,7 @@ InputStatus CheckRounding(const Surface& input, const CleanSurface& clean,
       found.MaxRounding = std::max(found.MaxRounding, move);
     }
   }
-  return found.CoarsePoints > 0 ? InputStatus::SinglePrecisionTooCoarse : InputStatus::Good;
+  return found.CoarsePoints > 0 ? InputStatus::RoundingTooCoarse : InputStatus::Good;
 }
 
 //------------------------------------------------------------------------------

@@ -58,7 +58,7 @@ public:
     , Requested(options)
     , Progress(progress)
     , Output(output)
-    , MeasuredAt(MeasuredTo(run.IsProvedNext) - LastStep)
+    , MeasuredAt(MeasuredTo(run.CertificateFollows) - LastStep)
   {
   }
 
@@ -92,7 +92,7 @@ public:
 
   void MeasureDistances()
   {
-    const double measuredFrom = MeasuredFrom(this->Requested, this->Run.IsProvedNext);
+    const double measuredFrom = MeasuredFrom(this->Requested, this->Run.CertificateFollows);
     const double from = measuredFrom + BoundariesProgress;
     const double inputFrom = !this->Requested.MeasureDistances ? from
       : this->Requested.MeasureInputDistances ? this->MeasuredAt - InputPointsProgress
@@ -102,7 +102,7 @@ public:
     const double backFrom = 0.5 * (from + inputFrom);
     if (this->Requested.MeasureDistances)
     {
-      if (!this->Run.IsProvedNext)
+      if (!this->Run.CertificateFollows)
       {
         this->MeasureBoundaries(measuredFrom, from);
       }
@@ -265,7 +265,7 @@ void Evaluate(
   {
     evaluator.MeasureFragmentGap();
   }
-  const double end = MeasuredTo(run.IsProvedNext);
+  const double end = MeasuredTo(run.CertificateFollows);
   progress.Stage(end - LastStep, end)(1.0);
   output.Report.Seconds.Measure = clock.Seconds();
 }

@@ -37,7 +37,7 @@ struct EvaluatedRun
   const Editor& MeshEditor;
   const Surface& LocalResult; ///< mm, relative to Cleaned.Origin
   const Surface* Reference;   ///< mm, as stored; distances are measured to it; null: to the input.
-  bool IsProvedNext;          ///< whether a certificate of surfaces and boundaries follows
+  bool CertificateFollows;    ///< whether a certificate of surfaces and boundaries follows
   const RunInputs& Inputs;
   std::shared_ptr<const SizingField> Sizes; ///< Local lengths of edges; null: none.
   double MinPart; ///< mm^3, PartComparison::MinVolume; 0: parts are not compared.

@@ -29,7 +29,7 @@ namespace bonedecimate
 void ListLeftOut(const Surface& input, const CleanSurface& cleaned, const KeptSurface* reference,
   const RunInputs& inputs, Result& result);
 
-/// Their entries, with the distance of each from the surface.
+/// An entry for each shape, with its distance from the surface.
 std::vector<LeftOut> DistancesOf(
   std::vector<LeftOutShape> all, const Surface& surface, int threads);
 
@@ -39,7 +39,7 @@ std::vector<LeftOut> LeftOutOfPair(const std::vector<LeftOutShape>& ofReference,
   const Surface& reference, const std::vector<LeftOutShape>& ofResult, const Surface& result,
   int threads);
 
-/// Puts them into the report; with distances if a proof was made.
+/// Puts the shapes into the report; with distances if a proof was made.
 void MeasureLeftOut(std::vector<LeftOutShape> all, Result& result);
 
 /// @param first The number of the first one; negative: not known.

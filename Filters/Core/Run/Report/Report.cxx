@@ -19,11 +19,11 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double LabelChangeToTell = 0.01;
-/// A position of the result is told if it is farther than this of the input's diagonal, and than
-/// this many root mean squares of the distance: then it is the tip of a spike.
-constexpr double DistanceToTell = 0.05;
-constexpr double RatioToTell = 10.0;
+constexpr double LabelChangeToWarn = 0.01;
+/// A warning names the position where the result is farthest if this distance exceeds this fraction
+/// of the input's diagonal, and this many root mean squares of the distance: it is a spike's tip.
+constexpr double DistanceToWarn = 0.05;
+constexpr double RatioToWarn = 10.0;
 
 /// "point has NaN" for "points have NaN".
 std::string InSingular(std::string text)
@@ -41,7 +41,7 @@ std::string InSingular(std::string text)
   return text;
 }
 
-/// @param what Counted things in the plural, and what is the matter with them.
+/// @param what Plural noun and verb, such as "points have NaN".
 std::string Found(std::int64_t count, const char* what, const char* kind, std::int64_t first)
 {
   return std::to_string(count) + " " + (count == 1 ? InSingular(what) : what) + ", the first is " +
@@ -94,8 +94,8 @@ std::vector<std::string> DistanceWarnings(const Report& report)
 {
   const double distance = report.OutputToInput.Maximum;
   if (report.Requested.BoundsError() || !report.DistancesMeasured ||
-    !(distance > DistanceToTell * report.Size.Diagonal) ||
-    !(distance > RatioToTell * report.OutputToInput.RootMeanSquare))
+    !(distance > DistanceToWarn * report.Size.Diagonal) ||
+    !(distance > RatioToWarn * report.OutputToInput.RootMeanSquare))
   {
     return {};
   }
@@ -251,7 +251,7 @@ std::string InputMessage(const Report& report)
     case InputStatus::BadTolerances:
     case InputStatus::BadEdgeLengths:
       return NumbersMessage(found, report.Status);
-    case InputStatus::TolerancesInThesis:
+    case InputStatus::UnprovableTolerances:
       return FindMode(report.Requested.Mode).Name +
         std::string(" mode proves no distances: its tolerances can only be 0 (no change) or "
                     "negative (no limit)");
@@ -265,7 +265,7 @@ std::string InputMessage(const Report& report)
     case InputStatus::EverythingPruned:
       return "each of the " + std::to_string(report.Pruned.Components.size()) +
         " components is smaller than what was to be kept; nothing would be left";
-    case InputStatus::SinglePrecisionTooCoarse:
+    case InputStatus::RoundingTooCoarse:
       return CoarseMessage(found, report.Requested.OutputPointsGrid);
     case InputStatus::ErrorBeyondSize:
     case InputStatus::ErrorBelowSize:
@@ -309,7 +309,7 @@ std::vector<std::string> InputWarnings(const Report& report)
       "points stay where they are because the surface is not manifold there", "point",
       found.FirstNonManifoldPoint));
   }
-  const auto changed = [](const LabelArea& a) { return a.Change() > LabelChangeToTell; };
+  const auto changed = [](const LabelArea& a) { return a.Change() > LabelChangeToWarn; };
   const auto most = std::max_element(report.Labels.begin(), report.Labels.end(),
     [](const LabelArea& a, const LabelArea& b) { return a.Change() < b.Change(); });
   if (most != report.Labels.end() && changed(*most))

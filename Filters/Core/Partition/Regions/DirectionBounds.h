@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file Slabs.h
+ * @file DirectionBounds.h
  * @brief A convex bound of points: between 13 pairs of parallel planes, normal to the axes and the
  * diagonals of a cube.
  *
  * J. T. Klosowski, M. Held, J. S. B. Mitchell, H. Sowizral, K. Zikan, Efficient collision detection
  * using bounding volume hierarchies of k-DOPs, 1998.
  */
-#ifndef BoneDecimate_Core_Partition_Regions_Slabs_h
-#define BoneDecimate_Core_Partition_Regions_Slabs_h
+#ifndef BoneDecimate_Core_Partition_Regions_DirectionBounds_h
+#define BoneDecimate_Core_Partition_Regions_DirectionBounds_h
 
 #include "Geometry/Surface.h"
 
@@ -20,10 +20,10 @@
 
 namespace bonedecimate
 {
-class Slabs
+class DirectionBounds
 {
 public:
-  Slabs()
+  DirectionBounds()
   {
     this->Low.fill(std::numeric_limits<double>::infinity());
     this->High.fill(-std::numeric_limits<double>::infinity());
@@ -39,7 +39,7 @@ public:
     }
   }
 
-  void Add(const Slabs& other)
+  void Add(const DirectionBounds& other)
   {
     for (std::size_t k = 0; k < Count; ++k)
     {
@@ -49,7 +49,7 @@ public:
   }
 
   /// False only if everything between the planes is farther away than reach, mm.
-  bool MayBeNear(const Slabs& other, double reach) const
+  bool MayBeNear(const DirectionBounds& other, double reach) const
   {
     bool isNear = true;
     for (std::size_t k = 0; k < Count && isNear; ++k)
