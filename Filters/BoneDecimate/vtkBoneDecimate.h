@@ -5,9 +5,8 @@
  * @brief   make a bone surface smaller, keep every fragment, report the error in millimeters
  *
  * Takes a surface as marching cubes leaves it (triangles, strips or polygons, points shared or not)
- * and returns one with fewer triangles, by edge collapses in an order
- * that depends on the mode (SetMode()).
- * Coordinates are millimeters. No component of the input is removed or merged with another, open
+ * and returns one with fewer triangles, by edge collapses in an order that depends on the mode
+ * (SetMode()). Coordinates are millimeters. No component of the input is removed or merged with another, open
  * boundaries move only along themselves, edges and vertices that are not manifold stay as they are.
  *
  * Input port 0: the surface. Input port 1, optional: the reference, the surface that the input was

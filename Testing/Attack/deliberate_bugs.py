@@ -58,8 +58,8 @@ def of_near(name: str, file: str, right: str, wrong: str) -> Mutant:
 
 
 MUTANTS = (
-    Mutant("a limit that is a twentieth too large", FOLDER + "ErrorLimits.cxx", "error * (1.0 - RelativeSlack) - this->Slack",
-           "error * 1.05 - this->Slack"),
+    Mutant("a limit that is a twentieth too large", FOLDER + "ErrorLimits.cxx", "error * (1.0 - RelativeSlack) - this->RoundingMargin",
+           "error * 1.05 - this->RoundingMargin"),
     Mutant("no slack for points that are rounded when they are written", FOLDER + "ErrorLimits.cxx",
            "return AbsoluteSlack * size + rounding;", "return 0.0 * (size + rounding);"),
     Mutant("the most tolerant corner of an original counts", FOLDER + "ErrorLimits.h",

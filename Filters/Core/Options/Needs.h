@@ -5,8 +5,8 @@
  * @brief What an option needs to have an effect: of other options, or of the run.
  *
  * A row of the table of options lists its needs. Needs of the first kind have a predicate of the
- * options (NeedTable()); an option that was set while one of them is not met is
- * reported (UnmetNeeds.h). Needs of the second kind are offered by every run, except by the kinds of run
+ * options (NeedTable()); an option that was set while one of them is not met is reported
+ * (UnmetNeeds.h). Needs of the second kind are offered by every run, except by the kinds of run
  * whose row says that they lack them (RunKinds.h).
  */
 #ifndef BoneDecimate_Core_Options_Needs_h
