@@ -6,8 +6,9 @@
  *
  * Takes a surface as marching cubes leaves it (triangles, strips or polygons, points shared or not)
  * and returns one with fewer triangles, by edge collapses in an order that depends on the mode
- * (SetMode()). Coordinates are millimeters. No component of the input is removed or merged with another, open
- * boundaries move only along themselves, edges and vertices that are not manifold stay as they are.
+ * (SetMode()). Coordinates are millimeters. No component of the input is removed or merged with
+ * another, open boundaries move only along themselves, edges and vertices that are not manifold
+ * stay as they are.
  *
  * Input port 0: the surface. Input port 1, optional: the reference, the surface that the input was
  * made from. With it MaximumError is proved and measured against the reference, also over several
