@@ -98,9 +98,9 @@ class AProof(ApplicationTest):
         return found
 
     def test_comes_with_the_surface_it_was_made_for(self):
-        self.assertRegex(self.report_in("out.vtp"), r"^<= 0\.\d+ mm in both directions$")
+        self.assertRegex(self.report_in("out.vtp"), r"^at most 0\.\d+ mm in both directions$")
         write(in_other_order(read(self.path("out.vtp"))), self.path("again.vtp"))
-        self.assertRegex(self.report_in("again.vtp"), r"^<= 0\.\d+ mm in both directions$")
+        self.assertRegex(self.report_in("again.vtp"), r"^at most 0\.\d+ mm in both directions$")
 
     def test_is_replaced_by_a_sentence_with_any_other(self):
         proved = read(self.path("out.vtp"))
@@ -122,7 +122,7 @@ class AProof(ApplicationTest):
         write(moved(torus(), scale=0.001), self.path("in_m.vtp"))
         self.succeed("in_m.vtp", "out_m.vtp", "--unit", "m", "--max-error", 0.2, *UNMEASURED)
         said = self.succeed("certify", "in_m.vtp", "out_m.vtp", "--unit", "m", "--no-means").stdout
-        self.assertRegex(said, r"report in the file   <= 0\.\d+ mm in both directions")
+        self.assertRegex(said, r"report in the file   at most 0\.\d+ mm in both directions")
 
 
 if __name__ == "__main__":

@@ -17,8 +17,8 @@ class Proof(ApplicationTest):
         text = self.decimate("in.ply", "out.vtp")
         proof = self.report()["proof"]
         self.assertEqual(proof["status"], "proved")
-        self.assertRegex(text, r"(?m)^proved +<= 0\.\d{6} mm in both directions$")
-        printed = float(text.split("<= ")[1].split()[0])
+        self.assertRegex(text, r"(?m)^proved +at most 0\.\d{6} mm in both directions$")
+        printed = float(text.split("at most ")[1].split()[0])
         self.assertLessEqual(proof["upper"], printed)
         self.assertLessEqual(printed, 0.2)
         self.assertLessEqual(proof["input_to_output"]["lower"], proof["input_to_output"]["upper"])

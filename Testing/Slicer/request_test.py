@@ -212,12 +212,12 @@ class Caps(unittest.TestCase):
 class Statistics(unittest.TestCase):
     def test_name_segments_and_round_what_is_proved_up(self):
         report = {"input": {"triangles": 5000, "components": 2}, "output": {"triangles": 800, "components": 2},
-                  "proof": {"status": "proved", "upper": 0.20001, "sentence": "<= 0.200010 mm in both directions, but for 1 line"}, "distance": {"input_to_output": {"mean": 0.05}},
+                  "proof": {"status": "proved", "upper": 0.20001, "sentence": "at most 0.200010 mm in both directions, but for 1 line"}, "distance": {"input_to_output": {"mean": 0.05}},
                   "smoothing": {"largest_displacement": 0.15, "rms_displacement": 0.1, "sharp_points": 7},
                   "voxels": {"guard": "off", "changed": 3, "of_1": {"voxels": 70, "lost": 2, "gained": 1},
                              "of_2": {"voxels": 80, "lost": 1, "gained": 0}, "of_0": {"voxels": 9, "lost": 0, "gained": 2}}}
         text = "\n".join(statistics(report, ["tibia", "fibula"]))
-        for line in ("5,000 -> 800 triangles", "proved <= 0.200010 mm in both directions, but for 1 line",
+        for line in ("5,000 -> 800 triangles", "proved at most 0.200010 mm in both directions, but for 1 line",
                      "smoothing moved points by 0.1500 mm at most, 0.1000 mm RMS", "3 voxels changed (voxels not kept)",
                      "7 points on edges that were kept sharp",
                      "tibia: 2 voxels lost, 1 gained, of 70", "fibula: 1 voxels lost, 0 gained, of 80"):

@@ -22,7 +22,7 @@ def bone():
 class AProof(unittest.TestCase):
     def test_belongs_to_one_surface(self):
         small = bone().bone.decimate(max_error=0.2)
-        self.assertRegex(small.bone.report["proof.sentence"], r"^<= 0\.\d+ mm in both directions$")
+        self.assertRegex(small.bone.report["proof.sentence"], r"^at most 0\.\d+ mm in both directions$")
         with tempfile.TemporaryDirectory() as folder:
             small.save(f"{folder}/small.vtp")
             self.assertEqual(pv.read(f"{folder}/small.vtp").bone.report, small.bone.report)

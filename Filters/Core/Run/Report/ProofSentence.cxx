@@ -17,7 +17,7 @@ const std::string Sentence = "proof.sentence";
 std::string ProofSentence(const ProofFacts& facts)
 {
   const std::string clause = LeftOutClause(facts.LeftOut, facts.Upper);
-  return "<= " + UpperBoundText(facts.Upper, DecimalsOfBound) + " mm in both directions" +
+  return "at most " + UpperBoundText(facts.Upper, DecimalsOfBound) + " mm in both directions" +
     (facts.IsToReference ? " to the reference" : "") +
     (facts.Boundaries == "both"              ? ", open boundaries too"
         : facts.Boundaries == "not_compared" ? ", but for open boundaries"

@@ -25,7 +25,7 @@ struct ProofFacts
   std::vector<bonedecimate::LeftOut> LeftOut;
 };
 
-/// "<= 0.499900 mm in both directions, open boundaries too, but for 2 lines ...": the bound is
+/// "at most 0.499900 mm in both directions, open boundaries too, but for 2 lines ...": the bound is
 /// rounded up.
 std::string ProofSentence(const ProofFacts& facts);
 std::string ProofSentence(const Report& report);
