@@ -3,6 +3,7 @@
 #include "Program.h"
 
 #include "Arguments/HelpFormatter.h"
+#include "Arguments/HelpTopics.h"
 #include "Commands/Cap.h"
 #include "Commands/Certify.h"
 #include "Commands/CommandLine.h"
@@ -13,6 +14,7 @@
 #include "Commands/LevelsCommand.h"
 #include "Commands/SlicerModule.h"
 #include "Commands/SummaryCommand.h"
+#include "Files/StandardOutput.h"
 #include "IsolatedReader.h"
 #include "PlainText.h"
 #include "Terminal/Interruption.h"
@@ -51,6 +53,7 @@ ExitCode Fail(ExitCode code, const char* message)
 ExitCode Run(int argc, char* argv[])
 {
   const std::vector<std::string> words(argv + 1, argv + std::max(argc, 1));
+  const StandardOutputForFile forFile(words);
   if (IsSlicerCall(words))
   {
     return RunSlicerCall(words);
@@ -70,6 +73,7 @@ ExitCode Run(int argc, char* argv[])
   AddCapCommand(program);
   AddSummaryCommand(program);
   AddDemoCommand(program);
+  AddHelpCommand(program);
   RunCommandLine(program, words);
   return code;
 }

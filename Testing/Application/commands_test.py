@@ -4,10 +4,13 @@
 
 import json
 import re
+import shlex
+import signal
+import subprocess
 
-from application import DONE, FORMATS, PROVING_MODES, REJECTED, USAGE, ApplicationTest, main, torus, write
+from application import DONE, FORMATS, PROGRAM, PROVING_MODES, REJECTED, USAGE, ApplicationTest, main, torus, write
 
-COMMANDS = ("thesis", "smooth", "certify", "tolerance", "curve", "levels", "diagnose", "cap", "summary", "demo")
+COMMANDS = ("thesis", "smooth", "certify", "tolerance", "curve", "levels", "diagnose", "cap", "summary", "demo", "help")
 
 
 class Commands(ApplicationTest):
@@ -26,6 +29,60 @@ class Commands(ApplicationTest):
             self.assertIn(f"Usage: bonedecimate {command} ", text)
             self.assertIn("Exit codes:", text)
             self.fail_with(USAGE, command, "--what", says=f"see bonedecimate {command} --help")
+
+    def test_short_help_fits_one_screen_and_names_every_option(self):
+        short = self.succeed("-h").stdout
+        self.assertLessEqual(short.count("\n"), 40)
+        self.assertLessEqual(max(len(line) for line in short.splitlines()), 100)
+        self.assertEqual(self.succeed("help").stdout, short)
+        flags = re.compile(r"--[a-z-]+")
+        whole = re.findall(r"(?m)^  (?:-h,)?(--[a-z-]+)", self.succeed("--help").stdout)
+        by_topic = short.split("Options by topic:\n")[1].split("\n\n")[0]
+        self.assertEqual(flags.findall(by_topic), whole)  # each once, in the same order
+        self.assertGreater(len(whole), 60)
+        for command in COMMANDS:
+            self.assertRegex(short, rf"\b{command}\b")
+
+    def test_help_explains_topics_commands_and_options(self):
+        whole = self.succeed("--help").stdout
+        topics = re.findall(r"(?m)^  ([a-z-]+) ", self.succeed("-h").stdout.split("Options by topic:\n")[1].split("\n\n")[0])
+        self.assertGreater(len(topics), 8)
+        for topic in topics:
+            with self.subTest(topic):
+                title, entries = self.succeed("help", topic).stdout.split(":\n", 1)
+                if entries.startswith("  --"):
+                    self.assertIn(f"\n{title}:\n" + entries.split("\n\n")[0], whole)
+        self.assertIn("a quarter more triangles", self.succeed("help", "modes").stdout)
+        self.assertIn("\n  2  the input was rejected", self.succeed("help", "exit-codes").stdout)
+        for command in COMMANDS:
+            self.assertEqual(self.succeed("help", command).stdout, self.succeed(command, "--help").stdout)
+        self.assertRegex(self.succeed("help", "max-error").stdout, r"^  --max-error MM\|")
+        self.fail_with(USAGE, "help", "max-eror", says="did you mean max-error?")
+        self.fail_with(USAGE, "help", "zzz", says="bonedecimate help lists them")
+
+    def test_a_closed_pipe_is_quiet(self):
+        for words in ("--help", "-h", "help batches", "--man", "--tables", "--completion zsh"):
+            with self.subTest(words):
+                done = subprocess.run(["bash", "-c", f"{shlex.quote(PROGRAM)} {words} | head -n 1 > /dev/null; echo ${{PIPESTATUS[0]}}"],
+                                      capture_output=True, text=True, check=False)
+                self.assertEqual(done.stderr, "")
+                self.assertIn(int(done.stdout), (DONE, 128 + signal.SIGPIPE))
+
+    def test_a_dash_is_the_standard_output(self):
+        write(torus(), self.path("in.ply"))
+        words = ("in.ply", "out.ply", "--target-triangles", 700)
+        for name in ("-", "/dev/stdout"):
+            done = self.run_program(*words, "--report", name)
+            self.assertEqual(done.returncode, DONE)
+            self.assertEqual(json.loads(done.stdout)["output"]["triangles"], 700)
+            self.assertRegex(done.stderr, r"(?m)^triangles +[\d,]+ -> 700$")
+            self.assertTrue(json.loads(self.run_program("diagnose", "in.ply", f"--json={name}").stdout)["usable"])
+        self.assertTrue(self.succeed(*words, "--page", "-", "--quiet").stdout.startswith("<!DOCTYPE html>"))
+        self.assertEqual(self.names(), ["in.ply", "out.ply"])
+        self.fail_with(USAGE, "in.ply", "-", says="the output '-' needs one of the extensions")
+        self.fail_with(USAGE, *words, "--also", "-", says="--also '-' needs one of the extensions")
+        self.fail_with(USAGE, *words, "--picture", "-", says="--picture '-' needs the extension png")
+        self.fail_with(USAGE, *words, "--page", "-", "--report", "-", says="'-' would be written twice")
 
     def test_smooth_keeps_all_triangles_within_its_bound(self):
         write(torus(), self.path("in.ply"))

@@ -6,7 +6,10 @@
 #include "ExitCode.h"
 #include "FlagNames.h"
 #include "Formats/SurfaceFormat.h"
+#include "HelpTopics.h"
 
+#include <algorithm>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -48,6 +51,72 @@ std::string Entry(const std::string& name, const std::string& text)
   }
   return entry + "\n";
 }
+
+std::string EntryOf(const CLI::Option& option)
+{
+  const CLI::Formatter formatter;
+  return Entry(formatter.make_option_name(&option, option.get_positional()) +
+      formatter.make_option_opts(&option),
+    option.get_description());
+}
+
+template <typename Predicate>
+std::string EntriesThat(const CLI::App& command, const Predicate& isListed)
+{
+  std::string entries;
+  for (const CLI::Option* option : command.get_options())
+  {
+    if (!option->get_group().empty() && std::invoke(isListed, option))
+    {
+      entries += EntryOf(*option);
+    }
+  }
+  return entries;
+}
+
+/// Empty without entries.
+std::string Section(const std::string& title, const std::string& entries)
+{
+  return entries.empty() ? entries : "\n" + title + ":\n" + entries;
+}
+
+bool IsInTopic(const CLI::Option* option)
+{
+  const std::vector<HelpTopic>& topics = HelpTopics();
+  return std::any_of(topics.begin(), topics.end(),
+    [option](const HelpTopic& topic)
+    {
+      return std::any_of(topic.Flags.begin(), topic.Flags.end(),
+        [option](const std::string& flag) { return option->check_lname(flag); });
+    });
+}
+
+/// Those of the command alone first, then by topic.
+std::string OptionSections(const CLI::App& command)
+{
+  std::string sections = Section("Options",
+    EntriesThat(command,
+      [](const CLI::Option* option) { return !option->get_positional() && !IsInTopic(option); }));
+  for (const HelpTopic& topic : HelpTopics())
+  {
+    sections += Section(topic.Title, OptionEntries(command, topic.Flags));
+  }
+  return sections;
+}
+}
+
+std::string OptionEntries(const CLI::App& command, const std::vector<std::string>& flags)
+{
+  std::string entries;
+  for (const std::string& flag : flags)
+  {
+    const CLI::Option* const option = command.get_option_no_throw("--" + flag);
+    if (option != nullptr && !option->get_group().empty())
+    {
+      entries += EntryOf(*option);
+    }
+  }
+  return entries;
 }
 
 HelpFormatter::HelpFormatter(std::vector<std::string> usage)
@@ -59,24 +128,8 @@ std::string HelpFormatter::make_help(
   const CLI::App* app, std::string name, CLI::AppFormatMode /*mode*/) const
 {
   return app->get_description() + "\n" + this->make_usage(app, std::move(name)) +
-    this->Entries(*app, "Positionals", true) + this->Entries(*app, "Options", false) + "\n" +
-    app->get_footer() + "\n";
-}
-
-std::string HelpFormatter::Entries(
-  const CLI::App& app, const std::string& title, bool arePositional) const
-{
-  std::string entries;
-  for (const CLI::Option* option : app.get_options())
-  {
-    if (option->get_positional() == arePositional && !option->get_group().empty())
-    {
-      entries +=
-        Entry(this->make_option_name(option, arePositional) + this->make_option_opts(option),
-          option->get_description());
-    }
-  }
-  return entries.empty() ? "" : "\n" + title + ":\n" + entries;
+    Section("Positionals", EntriesThat(*app, &CLI::Option::get_positional)) + OptionSections(*app) +
+    "\n" + app->get_footer() + "\n";
 }
 
 std::string HelpFormatter::make_usage(const CLI::App* app, std::string) const

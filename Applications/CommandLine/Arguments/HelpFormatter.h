@@ -32,8 +32,6 @@ public:
   const std::vector<std::string>& GetUsage() const { return this->Usage; }
 
 private:
-  std::string Entries(const CLI::App& app, const std::string& title, bool arePositional) const;
-
   std::vector<std::string> Usage;
 };
 
@@ -58,6 +56,9 @@ std::string OptionHelp(const OptionInfo& info);
 
 /// Its value in the help: "MM", "N", "on|off", "Thesis".
 std::string OptionValueName(const OptionInfo& info);
+
+/// The entries of these options in the help, those that the command has. @param flags No dashes.
+std::string OptionEntries(const CLI::App& command, const std::vector<std::string>& flags);
 
 /// Breaks a help text to the width beside the column of flags.
 std::string WrappedHelp(const std::string& text);

@@ -4,6 +4,7 @@
 
 #include "Arguments/CommandWords.h"
 #include "Arguments/HelpFormatter.h"
+#include "Arguments/HelpTopics.h"
 #include "Arguments/NearestWord.h"
 #include "ExitCode.h"
 #include "FilePath.h"
@@ -49,6 +50,12 @@ std::string Sentence(const CLI::ParseError& error)
   return colon == std::string::npos ? text : text.erase(colon, 1);
 }
 
+bool RequestsShortHelp(const std::vector<std::string>& words)
+{
+  const auto end = std::find(words.begin(), words.end(), "--");
+  return std::find(words.begin(), end, "-h") != end;
+}
+
 void Parse(CLI::App& program, const std::vector<std::string>& words)
 {
   std::vector<std::string> reversed; // as CLI11 takes them
@@ -87,6 +94,11 @@ void RunCommandLine(CLI::App& program, std::vector<std::string> words)
     words.insert(words.begin(), DefaultCommand);
   }
   RequireOptions(*program.get_subcommand(words.front()), words);
+  if (words.front() == DefaultCommand && RequestsShortHelp(words))
+  {
+    std::cout << ShortHelp(program);
+    return;
+  }
   const SettledWords settled = WithSettings(program, words);
   try
   {

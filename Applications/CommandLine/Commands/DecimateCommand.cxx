@@ -105,6 +105,7 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
       "LABELMAP FOLDER --segments all [OPTIONS]" },
     ProgramDescription());
   command.footer(HelpFooter());
+  command.set_help_flag("-h,--help", "-h names the options on one screen, --help explains them.");
   command.set_version_flag(
     "--version", std::string("bonedecimate ") + Version(), "Print the version.");
   AddDecimateOptions(command, *arguments);

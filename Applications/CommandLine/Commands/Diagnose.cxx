@@ -19,7 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 
@@ -68,28 +68,26 @@ nlohmann::ordered_json Compose(vtkBoneDiagnostics* filter, const DiagnoseArgumen
 void Tell(vtkBoneDiagnostics* filter, int diagnostic)
 {
   const bool isCounted = filter->GetWord(diagnostic) != "odd_size";
-  std::printf("%-9s %s%s", filter->GetSeverity(diagnostic).c_str(),
-    isCounted ? (std::to_string(filter->GetCount(diagnostic)) + " ").c_str() : "",
-    filter->GetSentence(diagnostic).c_str());
+  std::cout << std::left << std::setw(9) << filter->GetSeverity(diagnostic) << " "
+            << (isCounted ? std::to_string(filter->GetCount(diagnostic)) + " " : "")
+            << filter->GetSentence(diagnostic);
   if (!std::isnan(filter->GetLength(diagnostic)))
   {
-    std::printf(" (%.6g mm)", filter->GetLength(diagnostic));
+    std::cout << " (" << filter->GetLength(diagnostic) << " mm)";
   }
   if (!isCounted)
   {
-    std::printf("; --unit tells another unit of the coordinates");
+    std::cout << "; --unit tells another unit of the coordinates";
   }
   const std::vector<vtkIdType> first = FirstIds(filter, diagnostic);
-  const char* before = ": ";
+  std::string before = ": " + filter->GetIdsOf(diagnostic) + " ";
   for (const vtkIdType id : first)
   {
-    std::printf("%s%s%lld", before,
-      before[0] == ':' ? (filter->GetIdsOf(diagnostic) + " ").c_str() : "",
-      static_cast<long long>(id));
+    std::cout << before << id;
     before = ", ";
   }
   const bool isAll = filter->GetCount(diagnostic) <= static_cast<vtkIdType>(first.size());
-  std::printf("%s\n", first.empty() || isAll ? "" : ", ...");
+  std::cout << (first.empty() || isAll ? "" : ", ...") << "\n";
 }
 
 void TellAll(vtkBoneDiagnostics* filter, const std::vector<std::string>& warnings)
@@ -100,14 +98,13 @@ void TellAll(vtkBoneDiagnostics* filter, const std::vector<std::string>& warning
   }
   for (int i = 0; i < filter->GetNumberOfLeftOut(); ++i)
   {
-    std::printf("left out  %s\n", filter->GetLeftOutSentence(i).c_str());
+    std::cout << "left out  " << filter->GetLeftOutSentence(i) << "\n";
   }
   for (const std::string& warning : warnings)
   {
-    std::printf("warning   %s\n", warning.c_str());
+    std::cout << "warning   " << warning << "\n";
   }
-  std::printf("%s\n", filter->IsUsable() ? "It can be decimated." : "It cannot be decimated.");
-  std::fflush(stdout);
+  std::cout << (filter->IsUsable() ? "It can be decimated." : "It cannot be decimated.") << "\n";
 }
 
 ExitCode Run(const DiagnoseArguments& arguments)

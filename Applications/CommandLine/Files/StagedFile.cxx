@@ -6,6 +6,7 @@
 #include "FileNames.h"
 #include "FilePath.h"
 #include "FolderEntries.h"
+#include "StandardOutput.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -105,8 +106,12 @@ void RemoveAbandonedFilesIn(const fs::path& folder)
 
 StagedFile::StagedFile(const std::string& target)
   : Target(target)
-  , Resolved(ResolvedTarget(target).string())
+  , Resolved(IsStandardOutput(target) ? std::string() : ResolvedTarget(target).string())
 {
+  if (IsStandardOutput(target))
+  {
+    return;
+  }
   this->Mode = ModeOf(this->Resolved);
   RemoveAbandonedFilesIn(FilePath(this->Resolved).parent_path());
   for (int attempt = 0; this->Temporary.empty(); ++attempt)
@@ -139,6 +144,11 @@ StagedFile::~StagedFile()
 
 void StagedFile::WriteText(const std::string& text)
 {
+  if (IsStandardOutput(this->Target))
+  {
+    this->Text = text;
+    return;
+  }
   errno = 0;
   std::ofstream stream(this->Temporary, std::ios::binary | std::ios::trunc);
   stream.write(text.data(), static_cast<std::streamsize>(text.size()));
@@ -151,7 +161,8 @@ void StagedFile::WriteText(const std::string& text)
 
 void StagedFile::Flush()
 {
-  const std::string problem = FlushToDisk(this->Temporary);
+  const std::string problem =
+    IsStandardOutput(this->Target) ? std::string() : FlushToDisk(this->Temporary);
   if (!problem.empty())
   {
     Fail(this->Target, problem);
@@ -160,6 +171,11 @@ void StagedFile::Flush()
 
 void StagedFile::Commit()
 {
+  if (IsStandardOutput(this->Target))
+  {
+    WriteToStandardOutput(this->Text);
+    return;
+  }
   std::error_code error;
   if (this->Mode)
   {

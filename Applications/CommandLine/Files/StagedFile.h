@@ -20,6 +20,8 @@ namespace bonedecimate
  * when all is well. A file that is replaced keeps its mode. Without Commit() the temporary file is
  * removed. Every method throws Failure(ExitCode::CouldNotWrite).
  *
+ * Text of which the target is the standard output ("-") is written there by Commit().
+ *
  * A process that is killed leaves its temporary file behind. The next that writes to the folder
  * removes it: as long as a process lives it holds a lock (FileLock) on each of its files, and the
  * name tells on which running system, so that files of another computer that uses the folder are
@@ -51,6 +53,7 @@ private:
   std::string Temporary;                      // empty once committed
   std::optional<std::filesystem::perms> Mode; // of the file that is replaced
   FileLock Lock;
+  std::string Text; // for the standard output
 };
 
 /// Removes what a process that died left of its own in a folder.

@@ -83,8 +83,10 @@ ModeInfo FastRow()
   mode.Name = "Fast";
   mode.Schedule = SweepPolicies{ QuadricDeviation, VolumePreservingPosition };
   mode.Stages = { { "collapse", CollapseStage, 1.0 } };
-  mode.Text = { "previews, large batches", "by how much the collapse changes the normals",
-    "least squares to the planes, volume preserved", "none" };
+  mode.Text = { "previews; with a largest error a sixth less time than `Balanced`, a quarter more "
+                "triangles",
+    "by how much the collapse changes the normals", "least squares to the planes, volume preserved",
+    "none" };
   return mode;
 }
 
