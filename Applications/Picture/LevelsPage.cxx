@@ -24,7 +24,7 @@ std::string CountText(vtkPolyData* surface)
 
 std::string LengthText(double millimeters)
 {
-  return std::isnan(millimeters) ? "not measured" : EscapedXml(MillimeterText(millimeters));
+  return std::isnan(millimeters) ? "not measured" : EscapedXml(MeasuredText(millimeters));
 }
 
 std::string LevelsTable(const std::vector<PageLevel>& levels)
@@ -47,11 +47,12 @@ ViewerHtml Viewer(const LevelsPageSubject& subject, std::size_t bytesOfPicture)
   {
     const std::string caption = std::isnan(level.MaxDistance)
       ? ""
-      : ", largest distance " + MillimeterText(level.MaxDistance) + " mm";
+      : ", largest distance " + MeasuredText(level.MaxDistance) + " mm";
     viewer.Levels.push_back({ level.Surface, subject.DistanceArrayName, caption });
   }
   viewer.Legend = "distance to the original, mm";
   viewer.Reduce = subject.Reduce;
+  viewer.Frame = subject.Frame;
   viewer.MostBytes = BytesOfViewer(bytesOfPicture);
   return ComposeViewer(viewer);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NumberText.h"
 
+#include "Figures/BoundText.h"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -11,6 +13,8 @@ namespace bonedecimate
 {
 namespace
 {
+constexpr int DistanceDecimals = 4;
+
 std::string Formatted(const char* format, int digits, double value)
 {
   const int length = std::snprintf(nullptr, 0, format, digits, value);
@@ -43,6 +47,17 @@ std::string MillimeterText(double millimeters)
 {
   const bool isTiny = millimeters > 0.0 && millimeters < 0.0005;
   return isTiny ? "< 0.001" : GroupedText(millimeters, 3);
+}
+
+std::string MeasuredText(double millimeters)
+{
+  const bool isTiny = millimeters > 0.0 && millimeters < 0.0001;
+  return isTiny ? "< 0.0001" : LowerBoundText(millimeters, DistanceDecimals);
+}
+
+std::string BoundText(double millimeters)
+{
+  return UpperBoundText(millimeters, DistanceDecimals);
 }
 
 std::string SizeText(double value)

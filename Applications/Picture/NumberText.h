@@ -18,6 +18,13 @@ std::string GroupedText(double value, int decimals = 0);
 /// A length to the micrometer, without its unit; a smaller one that is not zero is "< 0.001".
 std::string MillimeterText(double millimeters);
 
+/// A measured distance, mm, rounded down: printed beside its proved bound, which is rounded up, it
+/// never looks larger. One below 0.0001 that is not zero is "< 0.0001".
+std::string MeasuredText(double millimeters);
+
+/// A proved upper bound of a distance, mm, with as many decimals, rounded up.
+std::string BoundText(double millimeters);
+
 /// An area or a volume with a decimal, smaller ones with three significant digits.
 std::string SizeText(double value);
 

@@ -4,6 +4,7 @@
 
 #include "Base/Text.h"
 #include "Figures/Rejection.h"
+#include "Headline.h"
 #include "NumberText.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
@@ -39,45 +40,10 @@ std::string LengthText(const Value& value)
   return value ? EscapedXml(MillimeterText(*value)) : Unknown;
 }
 
-/// Percentage of the triangles that remain, in parentheses; empty if it is not known.
-std::string PercentageText(const ReportFields& report)
-{
-  const Value before = report.Number("input.triangles");
-  const Value after = report.Number("output.triangles");
-  return before && after && *before > 0.0 ? " (" + GroupedText(100.0 * *after / *before, 1) + " %)"
-                                          : "";
-}
-
 bool HasDistances(const ReportFields& report)
 {
   return report.Number("distance.output_to_input.max") &&
     report.Number("distance.input_to_output.max");
-}
-
-std::string LargestDistanceText(const ReportFields& report)
-{
-  if (!HasDistances(report))
-  {
-    return "not measured";
-  }
-  const double largest = std::max(
-    *report.Number("distance.output_to_input.max"), *report.Number("distance.input_to_output.max"));
-  return EscapedXml(MillimeterText(largest)) + " mm";
-}
-
-std::string DistanceSentence(const ReportFields& report)
-{
-  if (!HasDistances(report))
-  {
-    return PageBlock("distance sentence without distances");
-  }
-  const auto length = [&report](const char* name)
-  { return LengthText(report.Number(std::string("distance.") + name)); };
-  return PageBlock("distance sentence",
-    { { "input max", length("input_to_output.max") },
-      { "output max", length("output_to_input.max") },
-      { "input mean", length("input_to_output.mean") },
-      { "output mean", length("output_to_input.mean") } });
 }
 
 bool HasTriangles(vtkPolyData* surface)
@@ -86,7 +52,8 @@ bool HasTriangles(vtkPolyData* surface)
 }
 
 /// Empty without both surfaces.
-ViewerHtml Viewer(const PageSubject& subject, std::size_t bytesOfPicture)
+ViewerHtml Viewer(
+  const PageSubject& subject, const std::vector<FarPoint>& points, std::size_t bytesOfPicture)
 {
   if (!HasViewer() || !HasTriangles(subject.Before) || !HasTriangles(subject.Result))
   {
@@ -96,21 +63,58 @@ ViewerHtml Viewer(const PageSubject& subject, std::size_t bytesOfPicture)
   viewer.Before = { subject.Before, subject.DistanceArrayName, "" };
   viewer.Levels = { { subject.Result, subject.ResultDistanceArrayName, "" } };
   viewer.Reduce = subject.Reduce;
+  viewer.Frame = subject.Frame;
+  viewer.Farthest = points;
   viewer.MostBytes = BytesOfViewer(bytesOfPicture);
   return ComposeViewer(viewer);
 }
 
-std::string Curve(const PageSubject& subject)
+std::vector<FarPoint> Farthest(const PageSubject& subject)
 {
-  const std::vector<double> sorted = subject.Before
-    ? SortedDistances(TrianglesOnly(subject.Before), subject.DistanceArrayName)
-    : std::vector<double>();
+  return subject.Before && subject.Result
+    ? FindFarthestPoints({ subject.Before, subject.DistanceArrayName },
+        { subject.Result, subject.ResultDistanceArrayName })
+    : std::vector<FarPoint>();
+}
+
+/// Empty without points.
+std::string Where(const std::vector<FarPoint>& points, const std::string& frame)
+{
+  const bool hasLabels = std::any_of(
+    points.begin(), points.end(), [](const FarPoint& one) { return !one.Labels.empty(); });
+  Rows rows = { { "", "distance, mm", "position, mm", "point of the surface" } };
+  if (hasLabels)
+  {
+    rows[0].push_back("label");
+  }
+  for (const FarPoint& one : points)
+  {
+    rows.push_back({ std::to_string(rows.size()), EscapedXml(MeasuredText(one.Distance)),
+      AnatomicalText(one.Position, frame), one.IsOnOriginal ? "before" : "after" });
+    if (hasLabels)
+    {
+      std::string labels;
+      for (const std::string& label : one.Labels)
+      {
+        labels += (labels.empty() ? "" : ", ") + EscapedXml(label);
+      }
+      rows.back().push_back(labels);
+    }
+  }
+  return points.empty() ? std::string()
+                        : PageBlock("where",
+                            { { "table", Table(rows) },
+                              { "frame", PageBlock(frame.empty() ? "axes" : "patient axes") } });
+}
+
+std::string Curve(const std::vector<double>& sorted)
+{
   if (sorted.empty())
   {
     return {};
   }
   const auto within = [&sorted](double fraction)
-  { return EscapedXml(MillimeterText(Quantile(sorted, fraction))); };
+  { return EscapedXml(MeasuredText(Quantile(sorted, fraction))); };
   return PageBlock("curve",
     { { "drawing", DistanceCurve(sorted) }, { "half", within(0.5) }, { "most", within(0.95) },
       { "nearly all", within(0.99) }, { "all", within(1.0) } });
@@ -121,11 +125,15 @@ std::string DistanceTable(const ReportFields& report)
   Rows rows = { { "mm", "simplified to original", "original to simplified" } };
   const std::pair<const char*, const char*> lines[] = { { "Largest measured", "max" },
     { "Mean", "mean" }, { "RMS", "rms" } };
+  const auto measured = [&report](const std::string& direction, const char* name)
+  {
+    const Value value = report.Number("distance." + direction + name);
+    return value ? EscapedXml(MeasuredText(*value)) : Unknown;
+  };
   for (const auto& [title, name] : lines)
   {
     rows.push_back(
-      { title, LengthText(report.Number(std::string("distance.output_to_input.") + name)),
-        LengthText(report.Number(std::string("distance.input_to_output.") + name)) });
+      { title, measured("output_to_input.", name), measured("input_to_output.", name) });
   }
   return Table(rows);
 }
@@ -275,9 +283,7 @@ std::string Smoothing(const ReportFields& report)
   const Rows rows = { { "", "before", "after" },
     { "Mean angle between neighboring triangles, degrees", text("angle_before", 1),
       text("angle_after", 1) },
-    { "Area, mm&sup2;", text("area_before", 1), text("area_after", 1) },
-    { "Volume of closed components, mm&sup3;", text("volume_before", 1),
-      text("volume_after", 1) } };
+    { "Area, mm&sup2;", text("area_before", 1), text("area_after", 1) } };
   return PageBlock("smoothing",
     { { "largest", LengthText(report.Number("smoothing.largest_displacement")) },
       { "bound", LengthText(report.Number("smoothing.bound")) },
@@ -340,9 +346,28 @@ std::string RunTable(const ReportFields& report)
     { "Method", TextOrUnknown(report, "options.Mode") },
     { "Software", "vtkBoneDecimate " + TextOrUnknown(report, "version") },
     { "Checksum of the input", TextOrUnknown(report, "input.checksum") },
-    { "Time", SecondsText(report) }, { "Edges collapsed", CountText(report.Number("collapses")) },
-    { "Collapses rejected, by reason", List(report, "rejections.", RejectionText) },
-    { "Options (lengths in mm)", List(report, "options.", EscapedXml) } });
+    { "Time", SecondsText(report) },
+    { "Edges collapsed", CountText(report.Number("collapses")) } });
+}
+
+std::string MadeSection(const ReportFields& report)
+{
+  return PageBlock("made",
+    { { "table", RunTable(report) }, { "rejections", List(report, "rejections.", RejectionText) },
+      { "options", List(report, "options.", EscapedXml) } });
+}
+
+std::vector<double> DistancesOfOriginal(const PageSubject& subject)
+{
+  return subject.Before ? SortedDistances(TrianglesOnly(subject.Before), subject.DistanceArrayName)
+                        : std::vector<double>();
+}
+
+std::string ModelGridSection(const PageSubject& subject)
+{
+  return subject.ModelGrid.empty()
+    ? std::string()
+    : PageBlock("model grid", { { "sentence", EscapedXml(subject.ModelGrid) } });
 }
 }
 
@@ -350,27 +375,26 @@ std::string ComposePage(const PageSubject& subject)
 {
   const ReportFields report(subject.Result);
   const std::string picture = EmbeddedPicture(subject.PictureFile);
-  const ViewerHtml viewer = Viewer(subject, picture.size());
-  const auto count = [&report](const char* name) { return CountText(report.Number(name)); };
+  const std::vector<FarPoint> points = Farthest(subject);
+  const std::vector<double> distances = DistancesOfOriginal(subject);
+  const ViewerHtml viewer = Viewer(subject, points, picture.size());
+  const PageLabels labels = PageLabelsOf(subject.Before, subject.Result);
+  const std::string name = EscapedXml(PlainText(subject.Name));
+  const auto count = [&report](const char* entry) { return CountText(report.Number(entry)); };
   return PageBlock("page",
-    { { "head",
-        PageBlock("head",
-          { { "title", "Simplified bone surface: " + EscapedXml(PlainText(subject.Name)) } }) },
-      { "name", EscapedXml(PlainText(subject.Name)) }, { "smoothing", Smoothing(report) },
+    { { "head", PageBlock("head", { { "title", "Simplified bone surface: " + name } }) },
+      { "name", name }, { "headline", HeadlineSection(report, distances, labels, subject.Specks) },
+      { "specks", SpeckHint(subject.Specks) }, { "where", Where(points, subject.Frame) },
+      { "labels", LabelSection(labels) }, { "smoothing", Smoothing(report) },
       { "parts", PartSection(report) },
       { "voxels", VoxelSection(report) + ChangesSection(subject.Changes) },
-      { "triangles", count("output.triangles") }, { "input triangles", count("input.triangles") },
-      { "proof tile", ProofTile(report) }, { "proof", ProofSection(report) },
-      { "percentage", PercentageText(report) }, { "largest distance", LargestDistanceText(report) },
-      { "components", count("output.components") },
-      { "input components", count("input.components") },
-      { "distance sentence", DistanceSentence(report) }, { "picture", picture },
-      { "viewer", viewer.Section }, { "viewer script", viewer.Script },
-      { "distances", Distances(report) }, { "curve", Curve(subject) },
+      { "model grid", ModelGridSection(subject) }, { "proof", ProofSection(report) },
+      { "picture", picture }, { "viewer", viewer.Section }, { "viewer script", viewer.Script },
+      { "distances", Distances(report) }, { "curve", Curve(distances) },
       { "surface table", SurfaceTable(report) }, { "merged points", count("input.merged_points") },
       { "dropped triangles", count("input.dropped_triangles") },
       { "triangles read", count("input.triangles_read") }, { "pruned", Pruned(report) },
       { "tunnels", TunnelSection(report) }, { "diagnostics", Diagnostics(report) },
-      { "run table", RunTable(report) } });
+      { "made", MadeSection(report) } });
 }
 }

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_Page_h
 #define BoneDecimate_Applications_Page_h
 
+#include "SurfaceExtents.h"
 #include "Viewer.h"
 
 #include "vtkPolyData.h"
@@ -29,6 +30,9 @@ struct PageSubject
   std::vector<std::string> Changes;
   std::string PictureFile; ///< A PNG to embed; empty: no picture, and the page says so.
   SurfaceReducer Reduce;   ///< For the interactive view of surfaces that are too large for a page.
+  std::string Frame;       ///< Axes of the coordinates, "LPS" or "RAS"; empty: not known.
+  SpeckFigures Specks;     ///< FindSpecks() of Before.
+  std::string ModelGrid;   ///< A sentence on the grid that labels were extracted on; may be empty.
 };
 
 /// A level of detail of a recorded run.
@@ -48,6 +52,7 @@ struct LevelsPageSubject
   std::string DistanceArrayName; ///< On each level, mm; empty: none.
   std::string PictureFile;       ///< A PNG to embed; empty: no picture, and the page says so.
   SurfaceReducer Reduce;
+  std::string Frame; ///< As that of PageSubject.
 };
 
 /// The page as HTML text, with the interactive view if the program was built with it: 20 MB at

@@ -51,19 +51,32 @@ std::string PartChange(
 
 std::string PartSection(const ReportFields& report)
 {
-  std::vector<std::vector<std::string>> rows = { { "", "triangles before", "area, mm&sup2;",
-    "volume, mm&sup3;", "median thickness, mm", "5 % are thinner than, mm" } };
+  // Area and volume of labels are in a table of their own.
+  const bool areLabels = report.Text("parts.kind") == "labels";
+  std::vector<std::vector<std::string>> rows = { { "", "triangles before" } };
+  if (!areLabels)
+  {
+    rows[0].insert(rows[0].end(), { "area, mm&sup2;", "volume, mm&sup3;" });
+  }
+  rows[0].insert(rows[0].end(), { "median thickness, mm", "5 % are thinner than, mm" });
   int part = 0;
   for (; report.Number(PathOf(part) + ".triangles"); ++part)
   {
     rows.push_back({ EscapedXml(PartName(report, part)),
-      GroupedText(*report.Number(PathOf(part) + ".triangles")), Cell(report, part, "area"),
-      Cell(report, part, "volume"), Cell(report, part, "thickness_median"),
-      Cell(report, part, "thickness_percentile_5") });
+      GroupedText(*report.Number(PathOf(part) + ".triangles")) });
+    for (const char* figure : { "area", "volume", "thickness_median", "thickness_percentile_5" })
+    {
+      const bool isThickness = figure[0] == 't';
+      if (isThickness || !areLabels)
+      {
+        rows.back().push_back(Cell(report, part, figure));
+      }
+    }
   }
   const std::optional<double> count = report.Number("parts.count");
   return count ? PageBlock("parts",
-                   { { "kind", report.Text("parts.kind") }, { "count", GroupedText(*count) },
+                   { { "title", areLabels ? "Thickness" : "Area, volume and thickness" },
+                     { "kind", report.Text("parts.kind") }, { "count", GroupedText(*count) },
                      { "listed", std::to_string(part) }, { "table", Table(rows) } })
                : std::string();
 }

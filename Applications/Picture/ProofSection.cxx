@@ -8,6 +8,7 @@
 #include "PageParts.h"
 #include "PageTemplate.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -21,7 +22,7 @@ constexpr int Decimals = 6;
 std::optional<std::string> ProvedText(const ReportFields& report)
 {
   const std::optional<double> upper = report.Number("proof.upper");
-  return upper ? std::optional<std::string>(UpperBoundText(*upper, Decimals)) : std::nullopt;
+  return upper ? std::optional<std::string>(BoundText(*upper)) : std::nullopt;
 }
 
 /// "0.5 mm and the tolerance of each point (Tolerances)"; empty without either.
@@ -98,6 +99,26 @@ std::string ReferenceText(const ReportFields& report)
                    : std::string();
 }
 
+/// Beside the bound.
+std::string HeadlineWord(const ReportFields& report)
+{
+  const std::string status = report.Text("proof.status");
+  return status == "proved" ? "proved"
+    : status == "violated"  ? "proved, but farther than requested"
+                            : "proved, but perhaps farther than requested";
+}
+
+/// Whether the bound is not of everything.
+std::string ExceptionsText(const ReportFields& report)
+{
+  const std::string boundaries = report.Text("proof.boundaries");
+  const bool isWhole = (boundaries == "neither" || boundaries == "both") &&
+    LeftOutText(report).find("Not proved") == std::string::npos;
+  return !isWhole             ? " There are exceptions: see <em>What is proved</em>."
+    : boundaries == "neither" ? ""
+                              : " Open boundaries are as close to each other.";
+}
+
 std::string BoundsTable(const ReportFields& report)
 {
   std::vector<std::vector<std::string>> rows = { { "largest distance, mm", "at least",
@@ -121,12 +142,21 @@ std::string BoundsTable(const ReportFields& report)
 }
 }
 
-std::string ProofTile(const ReportFields& report)
+std::string ErrorHeadline(const ReportFields& report)
 {
   const std::optional<std::string> upper = ProvedText(report);
-  return upper
-    ? PageBlock("proof tile", { { "upper", *upper }, { "tolerance", ToleranceText(report) } })
-    : PageBlock("no proof tile", { { "reason", ReasonText(report) } });
+  if (upper)
+  {
+    return PageBlock("proved headline",
+      { { "upper", *upper }, { "word", HeadlineWord(report) },
+        { "tolerance", ToleranceText(report) }, { "exceptions", ExceptionsText(report) } });
+  }
+  const std::optional<double> there = report.Number("distance.input_to_output.max");
+  const std::optional<double> back = report.Number("distance.output_to_input.max");
+  return there && back ? PageBlock("measured headline",
+                           { { "largest", EscapedXml(MeasuredText(std::max(*there, *back))) },
+                             { "reason", ReasonText(report) } })
+                       : PageBlock("no headline", { { "reason", ReasonText(report) } });
 }
 
 std::string ProofSection(const ReportFields& report)

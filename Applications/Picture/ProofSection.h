@@ -14,14 +14,14 @@
 
 namespace bonedecimate
 {
-/// The tile with the proved bound and the requested tolerance; without a proof it says why there is
-/// none.
-std::string ProofTile(const ReportFields& report);
+/// How far the surfaces are apart: one number and whether it is proved or measured, and why it is
+/// not proved.
+std::string ErrorHeadline(const ReportFields& report);
 
 /// The bounds of each direction, of open boundaries, and what is not proved.
 std::string ProofSection(const ReportFields& report);
 
-/// ", but no farther than the proved 0.499908 mm" to end a sentence about measured distances; empty
+/// ", but no farther than the proved 0.4999 mm" to end a sentence about measured distances; empty
 /// without a proof.
 std::string ProofClause(const ReportFields& report);
 

@@ -35,6 +35,7 @@ constexpr int MostReductions = 4;
 constexpr double Wide = 1e6; // an aspect at which only the height counts
 constexpr int Colors = 256;
 constexpr int ColorDigits = 255;
+constexpr int FirstThreshold = 204; // four fifths of the legend: few points have color at first
 
 /// A surface of the page, ready to be written.
 struct Carried
@@ -98,7 +99,8 @@ public:
   Json Describe(const std::vector<Carried>& surfaces) const
   {
     Json scene = { { "grid", { { "origin", this->Grid.Origin }, { "step", this->Grid.Step } } },
-      { "view", this->View() }, { "parts", this->Parts() }, { "distances", this->ColorTable() } };
+      { "view", this->View() }, { "parts", this->Parts() }, { "distances", this->ColorTable() },
+      { "axes", AxisLetters(this->Subject.Frame) }, { "farthest", this->Farthest() } };
     for (int side = 0; side < 6; ++side)
     {
       scene["bounds"].push_back(this->Box.GetBound(side));
@@ -125,7 +127,7 @@ public:
     return "In this view positions are rounded by up to " +
       bound(0.5 * this->Grid.Step * std::sqrt(3.0)) +
       (this->Distances.Range > 0.0
-          ? " and distances by up to " + bound(0.5 * this->Distances.Range / (Colors - 1))
+          ? " and distances down by up to " + bound(this->Distances.Range / (Colors - 1))
           : std::string()) +
       "; the files have them whole.";
   }
@@ -224,6 +226,18 @@ private:
     return parts;
   }
 
+  Json Farthest() const
+  {
+    Json points = Json::array();
+    for (const FarPoint& one : this->Subject.Farthest)
+    {
+      points.push_back({ { "distance", MeasuredText(one.Distance) },
+        { "where", AnatomicalText(one.Position, this->Subject.Frame) },
+        { "position", one.Position }, { "outward", one.Outward } });
+    }
+    return points;
+  }
+
   Json ColorTable() const
   {
     if (this->Distances.Range <= 0.0)
@@ -239,7 +253,8 @@ private:
       colors.push_back({ std::lround(ColorDigits * color[0]), std::lround(ColorDigits * color[1]),
         std::lround(ColorDigits * color[2]) });
     }
-    return { { "range", this->Distances.Range }, { "colors", colors } };
+    return { { "range", this->Distances.Range }, { "threshold", FirstThreshold },
+      { "colors", colors } };
   }
 
   const ViewerSubject& Subject;
@@ -249,6 +264,12 @@ private:
   QuantizationGrid Grid;
   QuantizedDistances Distances;
 };
+
+/// "x (right and left)" for the planes across an axis.
+std::string AxisText(const std::string& frame, const char* axis, const char* words)
+{
+  return frame.empty() ? axis : std::string(axis) + " (" + words + ")";
+}
 
 /// What the page says of surfaces that are not whole; empty if all are.
 std::string Reduced(const ViewerSubject& subject, const std::vector<Carried>& surfaces)
@@ -311,6 +332,9 @@ ViewerHtml ComposeViewer(const ViewerSubject& subject)
   return { PageBlock("viewer",
              { { "legend", subject.Legend }, { "rounding", writer.Rounding() },
                { "reduced", Reduced(subject, surfaces) },
+               { "x", AxisText(subject.Frame, "x", "right and left") },
+               { "y", AxisText(subject.Frame, "y", "front and back") },
+               { "z", AxisText(subject.Frame, "z", "head and feet") },
                { "parts", hasLabels ? "Labels" : "Components" } }),
     PageBlock("viewer script",
       { { "scene", InScript(scene.dump()) }, { "surfaces", data }, { "program", program } }) };

@@ -19,8 +19,8 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double MaxCoordinate = 65535.0; // 16 bits
-constexpr double MaxDistance = 255.0;     // 8 bits
+constexpr double LargestStep = 65535.0; // 16 bits
+constexpr double LargestCode = 255.0;   // 8 bits
 constexpr vtkIdType None = -1;
 
 /// Seven bits a byte, the low ones first; the high bit says that more follow.
@@ -114,7 +114,7 @@ private:
       for (const vtkIdType point : this->Points)
       {
         const double offset = this->Surface->GetPoint(point)[axis] - this->Grid.Origin[axis];
-        const double steps = std::clamp(offset / this->Grid.Step, 0.0, MaxCoordinate);
+        const double steps = std::clamp(offset / this->Grid.Step, 0.0, LargestStep);
         const std::int64_t coordinate = std::llround(steps);
         AppendSigned(coordinate - previous, this->Bytes);
         previous = coordinate;
@@ -131,8 +131,8 @@ private:
     for (const vtkIdType point : this->Points)
     {
       const double distance = this->Distances->GetComponent(point, 0);
-      const double code = MaxDistance * (std::isfinite(distance) ? distance : 0.0) / this->Range;
-      this->Bytes += static_cast<char>(std::lround(std::clamp(code, 0.0, MaxDistance)));
+      const double code = LargestCode * (std::isfinite(distance) ? distance : 0.0) / this->Range;
+      this->Bytes += static_cast<char>(static_cast<int>(std::clamp(code, 0.0, LargestCode)));
     }
   }
 
@@ -148,7 +148,7 @@ private:
 
 QuantizationGrid::QuantizationGrid(const vtkBoundingBox& box)
   : Origin{ box.GetBound(0), box.GetBound(2), box.GetBound(4) }
-  , Step(box.GetMaxLength() > 0.0 ? box.GetMaxLength() / MaxCoordinate : 1.0)
+  , Step(box.GetMaxLength() > 0.0 ? box.GetMaxLength() / LargestStep : 1.0)
 {
 }
 

@@ -27,7 +27,8 @@ struct QuantizationGrid
   double Step; ///< mm, along all axes; a coordinate is rounded by half of it at most.
 };
 
-/// Distances are bytes: 255 is the end of the range, or more.
+/// Distances are bytes, rounded down, so that none looks larger than its bound: 255 is the end of
+/// the range, or more.
 struct QuantizedDistances
 {
   std::string ArrayName; ///< Point array of distances, mm; empty: the surface has none.

@@ -67,6 +67,26 @@ class Batch(ApplicationTest):
         self.assertRegex(text, r"(?m)^a +done")
         self.assertRegex(text, r"(?m)^b +done +1,920 +960")
 
+    def test_the_table_never_shows_a_measured_distance_above_its_bound(self):
+        for name in ("a", "b"):
+            write(torus(), self.path(f"{name}.ply"))
+        for words in (("--max-error", 0.2), ("--target-triangles", 700)):
+            said = self.succeed("a.ply", "b.ply", "out/", *words, "--force").stdout
+            page = self.path("out/summary.html").read_text(encoding="utf-8")
+            with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            for row in rows:
+                largest = max(float(row["max_output_to_input_mm"]), float(row["max_input_to_output_mm"]))
+                shown = [float(text) for text in re.search(rf"(?m)^{row['name']} .*$", said)[0].split() if re.fullmatch(r"\d+\.\d{4}", text)]
+                if row["proved_mm"]:
+                    bound = float(re.search(r"<strong>at most ([\d.]+) mm</strong>, proved<", page)[1])
+                    self.assertTrue(0 <= bound - float(row["proved_mm"]) < 2e-4)
+                    self.assertLessEqual(max(shown), bound)
+                else:
+                    measured = float(re.search(r"<strong>([\d.]+) mm or more</strong>, measured<", page)[1])
+                    self.assertTrue(0 <= largest - measured < 1e-4)
+                self.assertGreaterEqual(len(shown), 2)
+
     def test_every_file_of_a_folder_has_a_row_and_the_reason_why_nothing_was_done(self):
         (self.bones / "notes.txt").write_text("no bone")
         (self.bones / "README").write_text("no bone")
@@ -140,7 +160,7 @@ class Batch(ApplicationTest):
             proof = self.report("out/%s.json" % name)["proof"]
             self.assertEqual(float(self.rows()[name]["proved_mm"]), proof["upper"])
             self.assertEqual(self.rows()[name]["proof_status"], "proved")
-            printed = re.search(r"(?m)^%s .* (0\.\d{6}) +proved$" % name, text)
+            printed = re.search(r"(?m)^%s .* (0\.\d{4}) +proved$" % name, text)
             self.assertTrue(proof["upper"] <= float(printed[1]) <= 0.2)
 
     def test_named_like_a_file_is_no_output_folder(self):
@@ -163,7 +183,7 @@ class Batch(ApplicationTest):
                           ("bones/a.ply",), ()):
                 self.fail_with(USAGE, word, *words, says="'%s' is neither a command nor a file; did you mean %s?" % (word, meant))
             self.fail_with(USAGE, "--quiet", word, "bones/a.ply", "new", says="did you mean " + meant)
-        self.fail_with(USAGE, "shrink", "bones/a.ply", "new", says="the commands are cap, certify, curve, decimate, demo, diagnose, levels, smooth, summary, thesis")
+        self.fail_with(USAGE, "shrink", "bones/a.ply", "new", says="the commands are cap, certify, curve, decimate, demo, diagnose, help, levels, smooth, summary, thesis")
 
     def test_iso_without_a_volume_is_wrong_usage(self):
         self.fail_with(USAGE, "bones", "out", "--iso", 226, says="none of the inputs is one")

@@ -38,7 +38,7 @@ class Prune(ApplicationTest):
         page = self.path("page.html").read_text(encoding="utf-8")
         left = self.report()["input"]["triangles"]
         self.assertEqual(left, torus().GetNumberOfPolys())
-        self.assertIn(f"triangles, instead of {left:,}", page)
+        self.assertIn(f" % of {left:,}</div>", page)
         if "viewer-scene" in page:
             self.assertIn(f'"caption":"Before: {left:,} triangles"', page)
         farthest = float(re.search(r"the farthest at ([\d.]+) mm", page).group(1))

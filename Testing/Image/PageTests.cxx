@@ -48,7 +48,7 @@ protected:
 
   vtkNew<vtkSphereSource> Ball;
   vtkNew<vtkBoneDecimate> Filter;
-  PageSubject Subject{ "ball", nullptr, nullptr, "", "Distance", {}, "", {} };
+  PageSubject Subject{ "ball", nullptr, nullptr, "", "Distance", {}, "", {}, "", {}, "" };
 };
 
 bool Contains(const std::string& text, const std::string& part)
@@ -84,7 +84,7 @@ TEST_F(Page, HoldsTheDistancesOfBothDirections)
     {
       const double value = this->Filter->GetReportValue(side + name);
       EXPECT_GT(value, 0.0);
-      EXPECT_TRUE(Contains(page, "<td>" + EscapedXml(MillimeterText(value)) + "</td>"))
+      EXPECT_TRUE(Contains(page, "<td>" + EscapedXml(MeasuredText(value)) + "</td>"))
         << side << name;
     }
     EXPECT_TRUE(
@@ -102,11 +102,14 @@ double NumberBehind(const std::string& page, const std::string& text)
                                  : std::strtod(page.c_str() + at + text.size(), nullptr);
 }
 
-void ExpectRoundedUp(double shown, double bound, const std::string& what)
+void ExpectRoundedUp(double shown, double bound, double step, const std::string& what)
 {
   EXPECT_GE(shown, bound) << what;
-  EXPECT_LE(shown, bound + 2e-6) << what;
+  EXPECT_LE(shown, bound + 2.0 * step) << what;
 }
+
+constexpr double StepOfHeadline = 1e-4; // mm
+constexpr double StepOfTable = 1e-6;
 
 TEST_F(Page, StatesTheProofOfBothDirectionsAndOfOpenBoundaries)
 {
@@ -116,9 +119,11 @@ TEST_F(Page, StatesTheProofOfBothDirectionsAndOfOpenBoundaries)
   const auto upper = [this](const std::string& name)
   { return this->Filter->GetReportValue("proof." + name + "upper"); };
   ASSERT_LE(upper(""), 0.25);
-  ExpectRoundedUp(NumberBehind(page, "<strong>&le; "), upper(""), "tile");
-  ExpectRoundedUp(NumberBehind(page, "but no farther than the proved "), upper(""), "note");
-  EXPECT_TRUE(Contains(page, "proved; requested: 0.25 mm</div>"));
+  ExpectRoundedUp(NumberBehind(page, "<strong>at most "), upper(""), StepOfHeadline, "headline");
+  ExpectRoundedUp(
+    NumberBehind(page, "but no farther than the proved "), upper(""), StepOfHeadline, "note");
+  EXPECT_TRUE(Contains(page, "<em>proved</em>"));
+  EXPECT_TRUE(Contains(page, "Open boundaries are as close to each other. Requested: 0.25 mm."));
   EXPECT_TRUE(Contains(page, "Requested: 0.25 mm. It is proved."));
   const std::pair<const char*, const char*> rows[] = { { "both directions", "" },
     { "simplified to original", "output_to_input." },
@@ -131,7 +136,7 @@ TEST_F(Page, StatesTheProofOfBothDirectionsAndOfOpenBoundaries)
     const double lower = NumberBehind(page, begin);
     EXPECT_LE(lower, this->Filter->GetReportValue("proof." + std::string(name) + "lower")) << title;
     const std::size_t end = page.find("</td><td>", page.find(begin));
-    ExpectRoundedUp(NumberBehind(page.substr(end), "</td><td>"), upper(name), title);
+    ExpectRoundedUp(NumberBehind(page.substr(end), "</td><td>"), upper(name), StepOfTable, title);
   }
 }
 
@@ -142,14 +147,49 @@ TEST_F(Page, SaysWhatIsNotProved)
   this->Filter->SetMaximumError(0.25);
   this->Filter->SetMergePoints(false);
   EXPECT_TRUE(Contains(this->Compose(), "Not proved: the distance of open boundaries"));
+  EXPECT_TRUE(Contains(this->Compose(), "There are exceptions: see"));
   this->Filter->SetProveResult(false);
   EXPECT_TRUE(Contains(this->Compose(), "the proof was switched off"));
   this->Filter->SetProveResult(true);
   this->Filter->SetModeToThesis();
   const std::string page = this->Compose();
-  EXPECT_TRUE(Contains(page, "<strong>not proved</strong>"));
+  EXPECT_TRUE(Contains(page, "<em>measured, not proved</em>"));
   EXPECT_TRUE(Contains(page, "mode Thesis proves no largest error"));
   EXPECT_FALSE(Contains(page, "no farther than the proved"));
+}
+
+TEST_F(Page, ShowsNoMeasuredDistanceAboveTheBound)
+{
+  for (const double error : { 0.05, 0.1, 0.2, 0.5 })
+  {
+    this->Filter->SetMaximumError(error);
+    const std::string page = this->Compose();
+    const double bound = NumberBehind(page, "<strong>at most ");
+    const std::string row = "Largest measured</th><td>";
+    EXPECT_GT(NumberBehind(page, row), 0.9 * error);
+    EXPECT_LE(NumberBehind(page, row), bound) << error;
+    const std::size_t second = page.find("</td><td>", page.find(row));
+    EXPECT_LE(NumberBehind(page.substr(second), "</td><td>"), bound) << error;
+    EXPECT_LE(NumberBehind(page, "the farthest at "), bound) << error;
+    EXPECT_LE(NumberBehind(page, "<th scope=\"row\">1</th><td>"), bound) << error; // a far
+  }
+}
+
+TEST_F(Page, SuggestsToLeaveOutSpecksIfThereAreMany)
+{
+  this->Subject.Specks = { 3.0, 40, 9, 0.0123 };
+  EXPECT_FALSE(Contains(this->Compose(), "--prune-size"));
+  EXPECT_TRUE(Contains(this->Compose(), "kept; 9 are specks, smaller than 3 mm"));
+  this->Subject.Specks.Specks = 10;
+  EXPECT_TRUE(Contains(this->Compose(),
+    "10 of the 40 components are specks, smaller than 3 mm along every axis: together 1.23 % of "
+    "the area. If they are not bone, <code>--prune-size 3</code>"));
+}
+
+TEST_F(Page, SaysWhichGridLabelsWereExtractedOn)
+{
+  this->Subject.ModelGrid = "voxels of <1> mm";
+  EXPECT_TRUE(Contains(this->Compose(), "<p>voxels of &lt;1&gt; mm</p>"));
 }
 
 TEST_F(Page, TellsHowTheResultCameAbout)
@@ -173,9 +213,9 @@ TEST_F(Page, SumsUpInPlainWords)
   const std::string page = this->Compose();
   const std::string after = GroupedText(this->Filter->GetReportValue("output.triangles"));
   const std::string before = GroupedText(this->Filter->GetReportValue("input.triangles"));
-  EXPECT_TRUE(Contains(
-    page, "The simplified surface has " + after + " triangles instead of " + before + "."));
-  EXPECT_TRUE(Contains(page, "1 of 1 components kept."));
+  EXPECT_TRUE(Contains(page, "<strong>" + after + "</strong>triangles, "));
+  EXPECT_TRUE(Contains(page, " % of " + before + "</div>"));
+  EXPECT_TRUE(Contains(page, "<strong>1 of 1</strong>components (separate pieces) kept</div>"));
 }
 
 TEST_F(Page, SaysItIsNotAMedicalDevice)
@@ -261,7 +301,7 @@ TEST_F(Page, ListsEveryLevel)
     { this->Subject.Before, std::nan(""), std::nan("") } };
   const std::string page = ComposeLevelsPage(subject);
   EXPECT_TRUE(Contains(page, "&lt;ball&gt;"));
-  EXPECT_TRUE(Contains(page, "<td>0.250</td><td>0.125</td>"));
+  EXPECT_TRUE(Contains(page, "<td>0.2500</td><td>0.1250</td>"));
   EXPECT_TRUE(Contains(page, "<th scope=\"row\">6,960</th><td>not measured</td>"));
 }
 
@@ -280,7 +320,7 @@ TEST_F(Page, StatesTheProofOfLevels)
   const std::string page = ComposeLevelsPage(subject);
   EXPECT_TRUE(Contains(page, "requested: 0.25 mm"));
   ExpectRoundedUp(NumberBehind(page, "certified: no farther than "),
-    this->Filter->GetReportValue("proof.upper"), "levels");
+    this->Filter->GetReportValue("proof.upper"), StepOfHeadline, "levels");
 }
 
 TEST_F(Page, EscapesNames)
@@ -339,31 +379,5 @@ TEST_F(Page, HoldsThePictureItself)
   const std::string page = this->Compose();
   EXPECT_FALSE(Contains(page, "<img"));
   EXPECT_TRUE(Contains(page, "There is no picture"));
-}
-
-TEST(NumberText, SetsThousandsApart)
-{
-  EXPECT_EQ(GroupedText(0), "0");
-  EXPECT_EQ(GroupedText(999), "999");
-  EXPECT_EQ(GroupedText(1000), "1,000");
-  EXPECT_EQ(GroupedText(-1234567), "-1,234,567");
-  EXPECT_EQ(GroupedText(666264.25, 1), "666,264.2");
-}
-
-TEST(NumberText, NeverTurnsADistanceIntoNone)
-{
-  EXPECT_EQ(MillimeterText(0.0), "0.000");
-  EXPECT_EQ(MillimeterText(1e-9), "< 0.001");
-  EXPECT_EQ(MillimeterText(0.0005), "0.001");
-  EXPECT_EQ(MillimeterText(1.2345), "1.234");
-}
-
-TEST(NumberText, RoundsUpToReadableNumbers)
-{
-  EXPECT_DOUBLE_EQ(RoundUp(0.3, { 1.0, 3.0, 5.0 }), 0.3);
-  EXPECT_DOUBLE_EQ(RoundUp(0.301, { 1.0, 3.0, 5.0 }), 0.5);
-  EXPECT_DOUBLE_EQ(RoundUp(0.00081, { 1.0, 3.0, 5.0 }), 0.001);
-  EXPECT_DOUBLE_EQ(RoundUp(1.0, { 1.0, 3.0, 5.0 }), 1.0);
-  EXPECT_DOUBLE_EQ(RoundUp(85.0, { 1.0, 3.0, 5.0 }), 100.0);
 }
 }

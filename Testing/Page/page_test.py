@@ -57,24 +57,34 @@ class Scene:
         self.scene = json.loads(re.search(r'id="viewer-scene">(.*?)</script>', text, re.DOTALL).group(1))
         self.bytes = [zlib.decompress(base64.b64decode(data)) for data in re.findall(r'class="surface">(.*?)</script>', text)]
 
-    def numbers(self, index):
-        """All varints of a surface without distances."""
-        data = np.frombuffer(self.bytes[index], dtype=np.uint8)
-        ends = np.flatnonzero(data < 128) + 1
-        return [sum(int(byte & 127) << 7 * i for i, byte in enumerate(data[begin:end])) for begin, end in zip([0, *ends], ends)]
+    def pieces(self, index):
+        """For each piece the corners of its triangles, mm, and their distances, mm, or None."""
+        surface = self.scene["surfaces"][index]
+        data = iter(self.bytes[index])
 
-    def surface(self, index):
-        """The corners of all triangles, mm, for a surface of one piece."""
-        (piece,) = self.scene["surfaces"][index]["pieces"]
-        count = piece["points"]
-        numbers = self.numbers(index)
-        steps = [(n + 1) // -2 if n % 2 else n // 2 for n in numbers[:3 * count]]
-        points = np.cumsum(np.reshape(steps, (3, count)), axis=1).T * self.scene["grid"]["step"] + self.scene["grid"]["origin"]
-        corners, used = [], 0
-        for back in numbers[3 * count:]:
-            corners.append(used - back)
-            used += back == 0
-        return points[np.reshape(corners, (-1, 3))]
+        def number():
+            value, shift, byte = 0, 0, 128
+            while byte & 128:
+                byte = next(data)
+                value |= (byte & 127) << shift
+                shift += 7
+            return value
+
+        for piece in surface["pieces"]:
+            count = piece["points"]
+            numbers = [number() for _ in range(3 * count)]
+            steps = [(n + 1) // -2 if n % 2 else n // 2 for n in numbers]
+            points = np.cumsum(np.reshape(steps, (3, count)), axis=1).T * self.scene["grid"]["step"] + self.scene["grid"]["origin"]
+            corners, used = [], 0
+            for _ in range(3 * piece["triangles"]):
+                back = number()
+                corners.append(used - back)
+                used += back == 0
+            triangles = np.reshape(corners, (-1, 3))
+            distances = None
+            if surface["hasDistances"]:
+                distances = np.array([next(data) for _ in range(count)])[triangles] * self.scene["distances"]["range"] / 255
+            yield points[triangles], distances
 
 
 class Data(unittest.TestCase):
@@ -92,7 +102,7 @@ class Data(unittest.TestCase):
             original = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
             triangles = vtk_to_numpy(reader.GetOutput().GetPolys().GetConnectivityArray()).reshape(-1, 3)
             rounding = float(re.search(r"rounded by up to ([\d.]+) mm", text).group(1))
-            carried = Scene(folder / "levels.html").surface(0)
+            ((carried, _),) = Scene(folder / "levels.html").pieces(0)
             self.assertEqual(carried.shape, (len(triangles), 3, 3))
             self.assertLessEqual(np.linalg.norm(carried - original[triangles], axis=2).max(), rounding)
             self.assertLess(rounding, 0.002)
@@ -112,6 +122,7 @@ class Page(unittest.TestCase):
             ("balls.ply", "small.vtp", "--target-triangles", 1500, "--page", "balls.html"),
             ("levels", "ball.ply", "--coarsest", 400, "--no-errors", "--page", "levels.html"),
             ("labels.mha", "bones", "--segments", "all", "--target-reduction", 0.8, "--measure", "off"),
+            ("labels.mha", "near", "--segments", "all", "--max-error", 0.4),
         ]
         with ThreadPoolExecutor() as threads:
             list(threads.map(lambda words: run(PROGRAM, *words, folder=cls.folder), pages))
@@ -124,18 +135,23 @@ class Page(unittest.TestCase):
         self.browser.open(self.folder / name)
         self.browser.run("document.querySelector('.viewer').scrollIntoView()")
 
+    def picture(self):
+        """All of the stage, wherever a click has scrolled the page to."""
+        self.browser.run("document.querySelector('.viewer').scrollIntoView()")
+        return self.browser.picture(STAGE)
+
     def drawn(self):
-        """Without the line around the stage."""
-        return drawn(self.browser.picture(STAGE)[2:-2, 2:-2])
+        """Without the line around the stage, captions, axes and the legend."""
+        return drawn(self.picture()[40:-100, 2:-2])
 
     def count(self):
         return int(self.drawn().sum())
 
     def change(self, action):
         """How many pixels of the stage an action changes."""
-        before = self.browser.picture(STAGE)
+        before = self.picture()
         action()
-        return int((np.abs(self.browser.picture(STAGE) - before).max(axis=2) > 8).sum())
+        return int((np.abs(self.picture() - before).max(axis=2) > 8).sum())
 
     def test_opens_without_a_message_and_without_a_request(self):
         for name in ("balls.html", "bones/index.html", "levels.html"):
@@ -168,7 +184,7 @@ class Page(unittest.TestCase):
     def test_measures_a_chord_of_a_ball(self):
         self.open("levels.html")
         self.browser.set("#viewer-compare", "before")
-        columns = np.flatnonzero(self.drawn()[40:-60].any(axis=0))
+        columns = np.flatnonzero(self.drawn().any(axis=0))
         pixel = 2.0 * RADIUS / (columns[-1] - columns[0] + 1)
         half = round(0.5 * RADIUS / pixel)
         self.browser.click("#viewer-measure")
@@ -177,14 +193,88 @@ class Page(unittest.TestCase):
         self.assertAlmostEqual(float(self.browser.text("#viewer-length").split()[0]), 2 * half * pixel, delta=0.03 * RADIUS)
         self.browser.click("#viewer-measure")
 
-    def test_shows_errors_as_colors_with_a_legend(self):
+    def colored(self):
+        """How many pixels are orange, red or violet, which bone is not."""
+        picture = self.picture()[40:-100]
+        pixels = picture[drawn(picture)]
+        return int((pixels[:, 0] - pixels[:, 1] > 40).sum())
+
+    def test_shows_errors_as_colors_from_a_threshold_on(self):
         self.open("balls.html")
-        self.assertFalse(self.browser.is_shown("#viewer-legend"))
-        self.browser.click("#viewer-distances")
         self.assertTrue(self.browser.is_shown("#viewer-legend"))
-        pixels = self.browser.picture(STAGE)[drawn(self.browser.picture(STAGE))]
-        self.assertGreater(int((pixels[:, 0] - pixels[:, 1] > 90).sum()), 500)  # red and violet, which bone has not
         self.assertEqual(self.browser.text("#viewer-ticks").split()[0], "0")
+        at_first = self.colored()
+        self.assertGreater(at_first, 20)
+        scene = Scene(self.folder / "balls.html").scene
+        self.assertIn("plain below", self.browser.text("#viewer-legend"))
+        self.browser.set("#viewer-threshold", 0)
+        self.assertGreater(self.colored(), at_first)
+        self.assertNotIn("plain", self.browser.text("#viewer-legend"))
+        self.browser.set("#viewer-threshold", 255)
+        self.assertLess(self.colored(), at_first)
+        self.assertAlmostEqual(float(self.browser.text("#viewer-threshold-text").split()[0]), scene["distances"]["range"], 9)
+        self.browser.click("#viewer-distances")
+        self.assertFalse(self.browser.is_shown("#viewer-legend"))
+        self.assertEqual(self.colored(), 0)
+
+    def test_says_the_distance_under_the_mouse(self):
+        self.open("balls.html")
+        self.assertFalse(self.browser.is_shown("#viewer-value"))
+        self.browser.set("#viewer-compare", "before")
+        self.browser.point(STAGE, [(-100, -20), (0, 0)])
+        self.browser.run("return new Promise((done) => setTimeout(done, 200))")
+        said = float(self.browser.text("#viewer-value").split()[0])
+        scene = Scene(self.folder / "balls.html")
+        toward = np.array(scene.scene["view"]["toViewer"])
+        center = np.array(scene.scene["view"]["center"])
+        hits = [(np.dot(corners[i].mean(axis=0), toward), distances[i]) for corners, distances in scene.pieces(0)
+                for i in np.flatnonzero(self.is_before(corners, center, toward))]
+        _, nearest = max(hits, key=lambda hit: hit[0])
+        self.assertLessEqual(said, nearest.max() + 0.001)
+        self.assertGreaterEqual(said, nearest.min() - 0.001)
+        self.browser.point(STAGE, [(-220, -120)])
+        self.assertFalse(self.browser.is_shown("#viewer-value"))
+
+    @staticmethod
+    def is_before(corners, center, toward):
+        """Which triangles a line through the middle of the view meets: their corners turn around it."""
+        offsets = corners - center
+        turns = [np.einsum("ij,j->i", np.cross(offsets[:, i], offsets[:, (i + 1) % 3]), toward) for i in range(3)]
+        return (np.min(turns, axis=0) >= 0) | (np.max(turns, axis=0) <= 0)
+
+    def test_jumps_to_where_the_surfaces_are_farthest_apart(self):
+        self.open("near/index.html")
+        table = re.search(r"farthest apart</h2>(.*?)</table>", (self.folder / "near/index.html").read_text(encoding="utf-8"), re.DOTALL)[1]
+        rows = re.findall(r"<tr><th[^>]*>\d+</th><td>([^<]+)</td><td>([^<]+)</td><td>(?:before|after)</td><td>([^<]+)</td></tr>", table)
+        self.assertEqual(len(rows), 10)
+        buttons = self.browser.run("return [...document.querySelectorAll('#viewer-farthest button')].map((button) => button.textContent)")
+        self.assertEqual(buttons, [f"{distance} at {where}" for distance, where, _ in rows])
+        report = json.loads((self.folder / "near/report.json").read_text(encoding="utf-8"))
+        farthest = max(report["distance"][way]["point_max"] for way in ("input_to_output", "output_to_input"))
+        self.assertTrue(0 <= farthest - float(rows[0][0]) < 2e-4)
+        self.assertTrue({label for row in rows for label in row[2].split(", ")} <= {"1", "2", "3"})
+        before = self.picture()[40:-80]
+        self.browser.click("#viewer-farthest li:nth-child(3) button")
+        circles = self.browser.run("return [...document.querySelectorAll('circle.chosen')].map((c) => [c.cx.baseVal.value, c.cy.baseVal.value])")
+        width, height = self.browser.run("const s = document.getElementById('viewer-stage'); return [s.clientWidth, s.clientHeight]")
+        for (x, y), middle in zip(circles, (0.25, 0.75), strict=True):
+            self.assertAlmostEqual(x, middle * width, delta=2)
+            self.assertAlmostEqual(y, 0.5 * height, delta=2)
+        self.browser.click("#viewer-reset")
+        self.assertTrue(np.array_equal(self.picture()[40:-80], before))
+
+    def letters(self):
+        return set(self.browser.run("return [...document.querySelectorAll('#viewer-overlay text.letter')].map((t) => t.textContent)"))
+
+    def test_names_the_sides_of_the_patient_if_the_frame_is_known(self):
+        self.open("near/index.html")
+        seen = self.letters()
+        self.assertTrue(seen <= set("RLAPIS") and {"I", "S"} <= seen, seen)
+        position = "return [...document.querySelectorAll('text.letter')].find((t) => t.textContent === 'S').y.baseVal[0].value"
+        height = self.browser.run("return document.getElementById('viewer-stage').clientHeight")
+        self.assertLess(self.browser.run(position), height - 60)  # the head is up
+        self.open("balls.html")
+        self.assertTrue(self.letters() <= set("xyz"))
 
     def test_divides_before_and_after(self):
         self.open("balls.html")
@@ -193,7 +283,7 @@ class Page(unittest.TestCase):
         pictures = []
         for position in (0, 0.5, 1):
             self.browser.set("#viewer-divider", position)
-            pictures.append(self.browser.picture(STAGE)[40:-60])
+            pictures.append(self.picture()[40:-60])
         after, both, before = pictures
         middle = both.shape[1] // 2
         self.assertTrue(np.array_equal(both[:, :middle - 4], before[:, :middle - 4]))
@@ -203,7 +293,7 @@ class Page(unittest.TestCase):
         self.browser.point("#viewer-divider", [(0, 0), "pointerDown", (150, 0), "pointerUp"])
         self.assertGreater(float(self.browser.run("return document.getElementById('viewer-divider').value")), 0.6)
         self.browser.set("#viewer-divider", 0.5)
-        self.assertTrue(np.array_equal(self.browser.picture(STAGE)[40:-60], both))  # the view has not turned
+        self.assertTrue(np.array_equal(self.picture()[40:-60], both))  # the view has not turned
 
     def test_cuts_with_a_plane(self):
         self.open("balls.html")

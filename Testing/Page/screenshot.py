@@ -16,7 +16,6 @@ def main(page, png):
         sys.exit(chromium.MISSING)
     with Browser(*chromium.SOFTWARE, "--window-size=1000,900") as browser:
         browser.open(page)
-        browser.click("#viewer-distances")
         browser.run("document.querySelector('.viewer').scrollIntoView()")
         browser.picture(".viewer")
         element = browser.find(".viewer")

@@ -3,16 +3,17 @@
 #include "BatchPage.h"
 
 #include "Base/Text.h"
-#include "Figures/BoundText.h"
 #include "FilePath.h"
 #include "NumberText.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
 #include "PlainText.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -64,29 +65,58 @@ std::string LinksOf(const BatchRow& row, const fs::path& folder)
     LinkTo(report, folder, "report");
 }
 
-std::string Figure(const BatchRow& row, const char* heading)
+std::optional<double> NumberOf(const BatchRow& row, const char* heading)
 {
   const bool isThere =
     row.Figures.is_object() && row.Figures.contains(heading) && row.Figures[heading].is_number();
-  return isThere ? GroupedText(row.Figures[heading].get<double>()) : "";
+  return isThere ? std::optional(row.Figures[heading].get<double>()) : std::nullopt;
 }
 
-std::string Proved(const BatchRow& row)
+/// "at most 0.4999 mm, proved", or what was measured; empty if nothing is known.
+std::string Headline(const BatchRow& row)
 {
-  const bool isThere = row.Figures.is_object() && row.Figures.contains("proved_mm") &&
-    row.Figures["proved_mm"].is_number();
-  return isThere ? UpperBoundText(row.Figures["proved_mm"].get<double>(), 6) : "";
+  if (const std::optional<double> upper = NumberOf(row, "proved_mm"))
+  {
+    const bool isKept = row.Figures["proof_status"] == "proved";
+    return "<strong>at most " + BoundText(*upper) + " mm</strong>, proved" +
+      (isKept ? "" : ", but perhaps farther than requested");
+  }
+  const std::optional<double> there = NumberOf(row, "max_input_to_output_mm");
+  const std::optional<double> back = NumberOf(row, "max_output_to_input_mm");
+  return there && back ? "<strong>" + EscapedXml(MeasuredText(std::max(*there, *back))) +
+      " mm or more</strong>, measured"
+                       : std::string();
+}
+
+std::string Mean(const BatchRow& row)
+{
+  const std::optional<double> there = NumberOf(row, "mean_input_to_output_mm");
+  const std::optional<double> back = NumberOf(row, "mean_output_to_input_mm");
+  return there && back ? EscapedXml(MeasuredText(std::max(*there, *back))) : std::string();
+}
+
+std::string Count(const BatchRow& row, const char* heading)
+{
+  const std::optional<double> count = NumberOf(row, heading);
+  return count ? GroupedText(*count) : std::string();
+}
+
+/// "done" is quiet, everything else stands out.
+std::string Status(const BatchRow& row)
+{
+  return row.Status == "done" || row.Status == "skipped" ? row.Status
+                                                         : "<strong>" + row.Status + "</strong>";
 }
 }
 
 std::string ComposeBatchPage(const std::string& folder, const std::vector<BatchRow>& rows)
 {
-  std::vector<std::vector<std::string>> cells = { { "name", "status", "triangles before", "after",
-    "proved, mm", "files", "message" } };
+  std::vector<std::vector<std::string>> cells = { { "name", "status", "how far from the input",
+    "mean, mm", "triangles before", "after", "files", "message" } };
   for (const BatchRow& row : rows)
   {
-    cells.push_back({ EscapedXml(PlainText(row.Name)), row.Status, Figure(row, "triangles_in"),
-      Figure(row, "triangles_out"), Proved(row), LinksOf(row, FilePath(folder)),
+    cells.push_back({ EscapedXml(PlainText(row.Name)), Status(row), Headline(row), Mean(row),
+      Count(row, "triangles_in"), Count(row, "triangles_out"), LinksOf(row, FilePath(folder)),
       EscapedXml(PlainText(row.Message)) });
   }
   return PageBlock("batch",

@@ -3,7 +3,6 @@
 #include "BatchTable.h"
 
 #include "BatchPage.h"
-#include "Figures/BoundText.h"
 #include "FilePath.h"
 #include "Files/StagedFile.h"
 #include "NumberText.h"
@@ -91,10 +90,10 @@ struct TableColumn
 const std::array<TableColumn, 6> TableColumns = { {
   { "triangles", 10, "triangles_in", [](double value) { return GroupedText(value); } },
   { "->", 10, "triangles_out", [](double value) { return GroupedText(value); } },
-  { "max out-in mm", 13, "max_output_to_input_mm", MillimeterText },
-  { "max in-out mm", 13, "max_input_to_output_mm", MillimeterText },
+  { "max out-in mm", 13, "max_output_to_input_mm", MeasuredText },
+  { "max in-out mm", 13, "max_input_to_output_mm", MeasuredText },
   { "seconds", 8, "seconds", [](double value) { return GroupedText(value, 1); } },
-  { "proved <= mm", 12, "proved_mm", [](double value) { return UpperBoundText(value, 6); } },
+  { "at most mm", 10, "proved_mm", BoundText },
 } };
 
 constexpr std::size_t StatusWidth = 11; // characters of "interrupted"

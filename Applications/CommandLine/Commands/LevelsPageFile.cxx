@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LevelsPageFile.h"
 
+#include "Formats/FileFrame.h"
 #include "Page.h"
 #include "Picture.h"
 #include "Report/PageSurfaces.h"
@@ -53,6 +54,7 @@ void WriteLevelsPage(vtkBoneDecimateLevels* filter, const std::string& name, Sta
   subject.Report = filter->GetReportAsJson();
   subject.DistanceArrayName = DistanceName;
   subject.Reduce = ReduceForPage;
+  subject.Frame = FrameOf(subject.Before);
   StagedFile picture(page.GetTarget() + ".png"); // never committed: the page holds it
   const std::string problem = DrawLevels(subject, picture.GetTemporary());
   if (problem.empty())

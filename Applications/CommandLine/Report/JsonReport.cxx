@@ -157,6 +157,11 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
       { "largest_triangles", subject.Slabs->MaxSlab },
       { "unproved", subject.Slabs->UnprovedSlabs } };
   }
+  if (subject.Specks.Components > 0)
+  {
+    report["specks"] = { { "size", subject.Specks.Size }, { "components", subject.Specks.Specks },
+      { "area_ratio", subject.Specks.AreaRatio } };
+  }
   if (subject.Segments.empty() && !subject.Changed.empty())
   {
     report["changed_before"] = JsonOfPieces(subject.Changed.begin()->second);

@@ -13,6 +13,7 @@
 #include "Partition/Slabs/SlabRun.h"
 #include "Segments/SegmentRecord.h"
 #include "Segments/SegmentSurfaces.h"
+#include "SurfaceExtents.h"
 
 #include "vtkPolyData.h"
 
@@ -42,7 +43,7 @@ struct ReportSubject
   std::string Input;
   std::string Output;
   std::string Unit;             ///< Unit of the coordinates in input and output.
-  std::string CoordinateSystem; ///< "LPS" if the input is a volume; empty: that of the input.
+  std::string CoordinateSystem; ///< "LPS" or "RAS"; empty: not known.
   FileStamp InputStamp;         ///< From before the input was read.
   std::int64_t OutputBytes = 0;
   std::map<std::string, std::string> Given; ///< The options of the command line, by flag.
@@ -53,6 +54,7 @@ struct ReportSubject
   std::map<std::string, std::string> ProvedFiles;
   std::vector<SegmentRecord> Segments; ///< Segments of a label map.
   std::optional<ModelGridRecord> ModelGrid;
+  SpeckFigures Specks;              ///< In the input of the run; none if they were not counted.
   std::optional<SlabFigures> Slabs; ///< Figures of a run in slabs.
   PiecesOfLabels Changed; ///< Changes of a volume before extraction; empty: none were requested.
   double SecondsRead = 0.0;

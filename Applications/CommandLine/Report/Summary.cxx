@@ -21,12 +21,44 @@ std::string Count(const ReportFields& report, const std::string& name)
   return GroupedText(report.Number(name).value_or(0.0));
 }
 
-void PrintCounts(const ReportFields& report)
+void PrintTriangles(const ReportFields& report)
 {
   std::cout << "triangles       " << Count(report, "input.triangles") << " -> "
-            << Count(report, "output.triangles") << "\n"
-            << "components      " << Count(report, "output.components") << " of "
+            << Count(report, "output.triangles") << "\n";
+}
+
+void PrintComponents(const ReportFields& report)
+{
+  std::cout << "components      " << Count(report, "output.components") << " of "
             << Count(report, "input.components") << " kept\n";
+}
+
+/// Labels touch, so the components of a surface with labels say little.
+void PrintLabelsOrComponents(const ReportFields& report, const std::vector<SegmentRecord>& segments)
+{
+  if (segments.empty())
+  {
+    PrintComponents(report);
+    return;
+  }
+  const auto kept = std::count_if(segments.begin(), segments.end(),
+    [](const SegmentRecord& segment) { return segment.Triangles > 0; });
+  std::cout << "labels          " << kept << " of " << segments.size() << " kept\n";
+}
+
+/// Only if there are many.
+void PrintSpecks(const SpeckFigures& specks)
+{
+  if (specks.AreMany())
+  {
+    const auto count = [](std::int64_t number) { return GroupedText(static_cast<double>(number)); };
+    const std::string size = ShortText(specks.Size);
+    std::cout << "specks          " << count(specks.Specks) << " of " << count(specks.Components)
+              << " components are smaller than " << size << " mm, "
+              << SizeText(100.0 * specks.AreaRatio)
+              << " % of the area; if they are not bone, --prune-size " << size
+              << " leaves them out\n";
+  }
 }
 
 void PrintDistances(
@@ -36,9 +68,9 @@ void PrintDistances(
   const std::optional<double> maximum = report.Number(path + ".max");
   if (maximum)
   {
-    std::cout << words << "max " << MillimeterText(*maximum) << ", mean "
-              << MillimeterText(report.Number(path + ".mean").value_or(0.0)) << ", RMS "
-              << MillimeterText(report.Number(path + ".rms").value_or(0.0)) << " mm\n";
+    std::cout << words << "max " << MeasuredText(*maximum) << ", mean "
+              << MeasuredText(report.Number(path + ".mean").value_or(0.0)) << ", RMS "
+              << MeasuredText(report.Number(path + ".rms").value_or(0.0)) << " mm\n";
   }
 }
 
@@ -48,7 +80,7 @@ void PrintBoundaries(const ReportFields& report)
   const std::optional<double> back = report.Number("distance.boundary_output_to_input.upper");
   if (there && back)
   {
-    std::cout << "open boundaries within " << MillimeterText(std::max(*there, *back))
+    std::cout << "open boundaries within " << BoundText(std::max(*there, *back))
               << " mm of each other, curve to curve\n";
   }
 }
@@ -131,12 +163,7 @@ void PrintModelGrid(const ReportSubject& subject)
 {
   if (subject.ModelGrid)
   {
-    const auto count = [](std::int64_t number) { return GroupedText(static_cast<double>(number)); };
-    const FileComparison& ofFile = subject.ModelGrid->OfFile;
-    std::cout << "model grid      " << subject.ModelGrid->Sentence << ", " << count(ofFile.Changed)
-              << " of " << count(ofFile.Compared)
-              << " voxels of the file have another label; the surface of these voxels is at most "
-              << UpperBoundText(ofFile.Distance, 2) << " mm away\n";
+    std::cout << "model grid      " << ModelGridText(*subject.ModelGrid) << "\n";
   }
 }
 
@@ -173,6 +200,10 @@ void PrintSegments(const std::vector<SegmentRecord>& segments)
               << (segment.Volumes.empty() ? "" : " mm3")
               << (segment.File.empty() ? "" : ", " + segment.File)
               << (changes.empty() ? "" : "; " + changes) << "\n";
+  }
+  if (segments.size() > 1)
+  {
+    std::cout << "  a wall between two segments counts for both of them\n";
   }
 }
 
@@ -283,10 +314,20 @@ void PrintCoordinates(const ReportSubject& subject)
 }
 }
 
+std::string ModelGridText(const ModelGridRecord& model)
+{
+  const auto count = [](std::int64_t number) { return GroupedText(static_cast<double>(number)); };
+  return model.Sentence + ", " + count(model.OfFile.Changed) + " of " +
+    count(model.OfFile.Compared) +
+    " voxels of the file have another label; the surface of these voxels is at most " +
+    UpperBoundText(model.OfFile.Distance, 2) + " mm away";
+}
+
 void PrintShortSummary(vtkPolyData* result)
 {
   const ReportFields report(result);
-  PrintCounts(report);
+  PrintTriangles(report);
+  PrintComponents(report);
   PrintProof(report);
 }
 
@@ -296,7 +337,9 @@ void PrintSummary(
   const ReportFields report(result);
   const auto seconds = [&report](const char* name)
   { return GroupedText(report.Number(name).value_or(0.0), 2); };
-  PrintCounts(report);
+  PrintTriangles(report);
+  PrintLabelsOrComponents(report, subject.Segments);
+  PrintSpecks(subject.Specks);
   PrintPruned(report);
   PrintTunnels(report);
   PrintDiagnostics(report);

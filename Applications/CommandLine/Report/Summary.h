@@ -16,6 +16,9 @@
 
 namespace bonedecimate
 {
+/// The map of a network that was extracted, and how many voxels of the file changed.
+std::string ModelGridText(const ModelGridRecord& model);
+
 /// Triangles, components, and what is proved.
 void PrintShortSummary(vtkPolyData* result);
 

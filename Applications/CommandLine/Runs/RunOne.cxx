@@ -70,6 +70,7 @@ public:
     {
       SegmentSurfaces segments = ExtractSegments(this->Requested, this->Subject.Warnings);
       this->Input = segments.Surface;
+      this->Subject.CoordinateSystem = "LPS";
       this->Filter->SetLabelMapData(segments.Map);
       this->Subject.Changed = segments.Changed;
       this->Remark = segments.Note;
@@ -222,6 +223,10 @@ public:
       page.Name = this->Subject.Input;
       page.Result = this->Result;
       page.Changes = ChangesTexts(this->Subject.Changed, !this->Subject.Segments.empty());
+      page.Frame = this->Subject.CoordinateSystem;
+      page.Specks = this->Subject.Specks;
+      page.ModelGrid =
+        this->Subject.ModelGrid ? ModelGridText(*this->Subject.ModelGrid) : std::string();
       page.PictureFile =
         this->PictureProblem.empty() ? files.Picture->GetTemporary() : std::string();
       files.Page->WriteText(ComposePage(page));
@@ -282,6 +287,7 @@ private:
     {
       result = WithColorArray(result);
     }
+    this->Subject.Specks = FindSpecks(SurfaceBefore(this->Filter));
     this->Rounding.Apply(result, this->Filter);
     this->Result = this->Rounding.GetResult();
     this->Subject.Notes = this->Rounding.GetNotes();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The form beside the canvas; page.html has its elements.
 
+const PLAIN = [237, 222, 194]; // the color of bone
+
 const find = (id) => document.getElementById(id);
 
 function checkBox(label, isChecked, onChange) {
@@ -43,10 +45,20 @@ export function addParts(parts, onChange) {
   find('viewer-parts-group').hidden = parts.length < 2;
 }
 
-/** The bar of colors, from 0 to the end of the range. */
-export function addLegend({ range, colors }) {
-  const stops = colors.filter((_, index) => index % 15 === 0).map((color) => `rgb(${color})`);
-  find('viewer-bar').style.background = `linear-gradient(to right, ${stops})`;
+/** A length of the legend in mm, rounded down, so that it never looks larger than a bound. */
+export function lengthText(range, step) {
+  const digits = Math.max(0, 3 - Math.ceil(Math.log10(range)));
+  const scale = 10 ** digits;
+  return (Math.floor((step / 255) * range * scale + 1e-6) / scale).toFixed(digits);
+}
+
+/** The bar of colors, from 0 to the end of the range; plain up to the threshold. */
+export function drawLegend({ range, colors }, threshold) {
+  const plain = `rgb(${PLAIN})`;
+  const at = (step) => `${((100 * step) / 255).toFixed(1)}%`;
+  const stops = colors.map((color, step) => [color, step]).filter(([, step]) => step >= threshold && step % 15 === 0);
+  const bar = [`${plain} ${at(threshold)}`, ...stops.map(([color, step]) => `rgb(${color}) ${at(step)}`)];
+  find('viewer-bar').style.background = `linear-gradient(to right, ${bar})`;
   const ticks = [0, 0.25, 0.5, 0.75, 1].map((fraction) => String(Number((fraction * range).toPrecision(3))));
   find('viewer-ticks').replaceChildren(
     ...ticks.map((tick) => {
@@ -55,6 +67,31 @@ export function addLegend({ range, colors }) {
       return element;
     })
   );
+  write('viewer-plain', threshold > 0 ? `; plain below ${lengthText(range, threshold)}` : '');
+  write('viewer-threshold-text', `${lengthText(range, threshold)} mm`);
+}
+
+/** A button for each of the points where the surfaces are farthest apart. @param onChoose Gets the point, or null. */
+export function addFarthest(points, onChoose) {
+  const buttons = points.map((point) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.textContent = `${point.distance} at ${point.where}`;
+    button.setAttribute('aria-pressed', 'false');
+    return button;
+  });
+  const press = (pressed) => {
+    buttons.forEach((button, index) => button.setAttribute('aria-pressed', String(index === pressed)));
+    onChoose(points[pressed] ?? null);
+  };
+  buttons.forEach((button, index) => {
+    button.addEventListener('click', () => press(button.getAttribute('aria-pressed') === 'true' ? -1 : index));
+    const item = document.createElement('li');
+    item.append(button);
+    find('viewer-farthest').append(item);
+  });
+  show('viewer-farthest-group', points.length > 0);
+  return () => press(-1);
 }
 
 /** Calls onInput with the element whenever the person changes it; a program's changes do not count. */

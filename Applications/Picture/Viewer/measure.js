@@ -2,18 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The distance between two points of the surfaces, drawn over the canvas.
 
-const SVG = 'http://www.w3.org/2000/svg';
+import { shape } from './overlay.js';
+
 const STILL = 4; // CSS pixels: a pointer that moves farther turns the view
 
-function shape(overlay, name, attributes, text = '') {
-  const element = document.createElementNS(SVG, name);
-  Object.entries(attributes).forEach(([key, value]) => element.setAttribute(key, value));
-  element.textContent = text;
-  overlay.append(element);
-}
-
 export class Measure {
-  /** @param pickAt Gives the point of a surface at a position of the stage, or null. */
+  /** @param pickAt Gives what pick.js finds at a position of the stage, or null. */
   constructor(stage, overlay, output, pickAt) {
     this.overlay = overlay;
     this.output = output;
@@ -30,7 +24,7 @@ export class Measure {
     stage.addEventListener('pointerup', (event) => {
       const at = position(event);
       if (this.isOn && pressed && Math.hypot(at[0] - pressed[0], at[1] - pressed[1]) <= STILL) {
-        this.add(pickAt(at));
+        this.add(pickAt(at)?.point);
       }
       pressed = null;
     });

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The parameters of the line at which it meets the triangles of a piece (Moeller and Trumbore). */
+/** Where a line meets the triangles of a piece: its parameter, the triangle, and the weights of its corners (Moeller and Trumbore). */
 function* hits(piece, start, direction) {
   const { points, triangles } = piece;
   const [dx, dy, dz] = direction;
@@ -28,14 +28,25 @@ function* hits(piece, start, direction) {
       const qz = sx * uy - sy * ux;
       const v = (dx * qx + dy * qy + dz * qz) / determinant;
       if (v >= 0 && u + v <= 1) {
-        yield (vx * qx + vy * qy + vz * qz) / determinant;
+        yield { t: (vx * qx + vy * qy + vz * qz) / determinant, triangle: i, weights: [1 - u - v, u, v] };
       }
     }
   }
 }
 
+/** Where a line meets the visible pieces of a surface, as fractions of its length. */
+export function depths(surface, [start, end]) {
+  const direction = end.map((value, axis) => value - start[axis]);
+  return surface.visiblePieces().flatMap((piece) => [...hits(piece, start, direction)].map(({ t }) => t));
+}
+
+/** The distance at a position of a triangle, in steps of the range, or null. */
+function distanceAt({ distances, triangles }, triangle, weights) {
+  return distances && weights.reduce((sum, weight, corner) => sum + weight * distances[triangles[triangle + corner]], 0);
+}
+
 /**
- * The first point of the visible pieces of a surface on a line, or null.
+ * The first point of the visible pieces of a surface on a line with its distance to the other surface, or null.
  * @param line Its ends, from near to far. @param isKept Whether a point is not cut away.
  */
 export function pick(surface, [start, end], isKept) {
@@ -43,11 +54,11 @@ export function pick(surface, [start, end], isKept) {
   let nearest = Infinity;
   let found = null;
   for (const piece of surface.visiblePieces()) {
-    for (const t of hits(piece, start, direction)) {
+    for (const { t, triangle, weights } of hits(piece, start, direction)) {
       const point = start.map((value, axis) => value + t * direction[axis]);
       if (t >= 0 && t < nearest && isKept(point)) {
         nearest = t;
-        found = point;
+        found = { point, distance: distanceAt(piece, triangle, weights) };
       }
     }
   }

@@ -18,6 +18,9 @@ const WHOLE = [0, 0, 1, 1];
 const LEFT = [0, 0, 0.5, 1];
 const RIGHT = [0.5, 0, 1, 1];
 
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
 function makeLight(intensity) {
   return vtkLight.newInstance({ intensity, focalPoint: [0, 0, 0], lightType: 'CameraLight' });
 }
@@ -103,6 +106,19 @@ export class View {
     this.camera.setParallelScale(this.fittingScale());
   }
 
+  /**
+   * Shows a point closely.
+   * @param position mm. @param toViewer Unit vector. @param free mm: what is nearer to the viewer than that is not drawn.
+   */
+  focus(position, toViewer, free) {
+    const { radius } = this.frame;
+    this.camera.setFocalPoint(...position);
+    this.camera.setPosition(...position.map((value, axis) => value + 6 * radius * toViewer[axis]));
+    this.camera.setViewUp(...(Math.abs(dot(toViewer, this.frame.up)) < 0.9 ? this.frame.up : this.frame.toViewer));
+    this.camera.setClippingRange(6 * radius - free, 12 * radius);
+    this.camera.setParallelScale(0.12 * radius);
+  }
+
   /** Side by side, both in one view on either side of a divider, or one of them. */
   compare(mode) {
     const isBeside = mode === 'sides';
@@ -172,12 +188,9 @@ export class View {
   axes() {
     const forward = this.camera.getDirectionOfProjection();
     const up = this.camera.getViewUp();
-    const right = [
-      forward[1] * up[2] - forward[2] * up[1],
-      forward[2] * up[0] - forward[0] * up[2],
-      forward[0] * up[1] - forward[1] * up[0],
-    ];
+    const right = cross(forward, up);
     const length = Math.hypot(...right);
-    return { forward, right: right.map((value) => value / length) };
+    const unit = right.map((value) => value / length);
+    return { forward, right: unit, up: cross(unit, forward) };
   }
 }

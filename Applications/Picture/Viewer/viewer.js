@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The view of two surfaces, before and after, and the form beside it.
-import { addLegend, addParts, bind, bindButton, show, write } from './controls.js';
+import { drawAxes } from './axes.js';
+import { addParts, addFarthest, bind, bindButton, drawLegend, lengthText, show, write } from './controls.js';
+import { showUnderCursor } from './hover.js';
 import { Measure } from './measure.js';
-import { pick } from './pick.js';
+import { shape } from './overlay.js';
+import { depths, pick } from './pick.js';
 import { Planes } from './planes.js';
 import { Surface } from './surface.js';
 import { View } from './view.js';
@@ -24,12 +27,14 @@ export class Viewer {
     this.planes = new Planes(this.view, scene.bounds);
     this.surfaces = scene.surfaces.map(() => null); // before, then the levels from coarse to fine
     this.level = scene.surfaces.length - 1;
-    this.look = { distances: false, triangles: false, parts: scene.parts.map(() => true) };
+    this.look = { distances: false, threshold: 0, triangles: false, parts: scene.parts.map(() => true) };
+    this.chosen = null; // of the points where the surfaces are farthest apart
     this.measure = new Measure(this.stage, this.overlay, document.getElementById('viewer-length'), (at) =>
       this.pickAt(at)
     );
     this.measure.onChange = () => this.drawOverlay();
     this.bindControls();
+    showUnderCursor(this.stage, document.getElementById('viewer-value'), (at) => this.valueAt(at));
     this.view.camera.onModified(() => this.follow());
     this.view.watchSize(() => this.update());
   }
@@ -80,7 +85,23 @@ export class Viewer {
   drawOverlay() {
     this.overlay.replaceChildren();
     const sides = this.view.mode === 'sides' ? SIDES : [this.view.mode === 'before' ? 'before' : 'after'];
-    this.measure.draw(sides.map((side) => (point) => this.view.project(point, this.view.renderers[side])));
+    drawAxes(this.overlay, this.scene.axes, [48, this.stage.clientHeight - 52], this.view.axes());
+    const projections = sides.map((side) => (point) => this.view.project(point, this.view.renderers[side]));
+    this.measure.draw(projections);
+    projections.forEach((project) => {
+      if (this.chosen) {
+        const [cx, cy] = project(this.chosen.position);
+        shape(this.overlay, 'circle', { cx, cy, r: 14, class: 'chosen' });
+        shape(this.overlay, 'text', { x: cx + 19, y: cy - 12 }, `${this.chosen.distance} mm`);
+      }
+    });
+  }
+
+  /** The distance to the other surface under a position of the stage, as text. */
+  valueAt(at) {
+    const { distances } = this.scene;
+    const distance = distances && this.pickAt(at)?.distance;
+    return typeof distance === 'number' ? `${lengthText(distances.range, distance)} mm` : '';
   }
 
   pickAt([x, y]) {
@@ -108,7 +129,8 @@ export class Viewer {
     bind('viewer-triangles', set((element) => (look.triangles = element.checked)));
     bind('viewer-light', set((element) => this.view.turnLight(Number(element.value))));
     bind('viewer-measure', set((element) => this.measure.switch(element.checked)));
-    bindButton('viewer-reset', set(() => this.view.reset()));
+    const leave = addFarthest(scene.farthest, (chosen) => this.show(chosen));
+    bindButton('viewer-reset', leave);
     addParts(scene.parts, (parts) => {
       look.parts = parts;
       this.update();
@@ -117,15 +139,47 @@ export class Viewer {
     this.bindLevels();
   }
 
+  /** One of the points of the scene, or the whole. */
+  show(chosen) {
+    this.chosen = chosen;
+    if (chosen) {
+      const isKnown = Math.hypot(...chosen.outward) > 0.5;
+      const toViewer = isKnown ? chosen.outward : this.view.axes().forward.map((value) => -value);
+      this.view.focus(chosen.position, toViewer, this.freeBefore(chosen.position, toViewer));
+    } else {
+      this.view.reset();
+    }
+    this.update();
+  }
+
+  /** Half the way (mm) from a point to what hides it. The other surface, which lies close by, does not. */
+  freeBefore(position, toViewer) {
+    const length = 2 * this.scene.view.radius;
+    const end = position.map((value, axis) => value + length * toViewer[axis]);
+    const close = 2 * this.scene.distances.range;
+    const shown = [this.surfaces[0], this.surfaces[this.level]].filter(Boolean);
+    const hiding = shown.flatMap((surface) => depths(surface, [position, end])).map((depth) => depth * length);
+    return 0.5 * hiding.filter((depth) => depth > close && depth < length).reduce((a, b) => Math.min(a, b), 2 * length);
+  }
+
   bindDistances() {
+    const { distances } = this.scene;
     const box = bind('viewer-distances', (element) => {
       this.look.distances = element.checked;
       this.update();
     });
-    show('viewer-distances-line', this.scene.distances !== null);
-    if (this.scene.distances) {
-      addLegend(this.scene.distances);
+    const slider = bind('viewer-threshold', (element) => {
+      this.look.threshold = Number(element.value);
+      drawLegend(distances, this.look.threshold);
+      this.update();
+    });
+    show('viewer-distances-line', distances !== null);
+    show('viewer-threshold-line', distances !== null);
+    if (distances) {
       this.look.distances = box.checked;
+      this.look.threshold = distances.threshold;
+      slider.value = String(distances.threshold);
+      drawLegend(distances, distances.threshold);
     }
   }
 
