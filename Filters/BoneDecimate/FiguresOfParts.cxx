@@ -10,11 +10,11 @@
  */
 #include "FiguresOfParts.h"
 
+#include "DecimateInternals.h"
 #include "Mesh/Checksum.h"
 #include "Run/Report/MergeReports.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
-#include "vtkBoneDecimate.h"
 
 #include "vtkPolyData.h"
 
@@ -117,22 +117,23 @@ void TakeFiguresOfParts(const std::vector<std::vector<double>>& ofParts, Report&
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::AddRun(const vtkBoneDecimate& run)
+void vtkBoneDecimate::Internals::AddRun(const vtkBoneDecimate& run)
 {
   bonedecimate::Report part;
   part.Edits = run.State->Report.Edits;
   part.LeftOut = run.State->Report.LeftOut;
-  bonedecimate::AddPart(part, this->State->Report);
+  bonedecimate::AddPart(part, this->Filter->State->Report);
 }
 
 //------------------------------------------------------------------------------
-vtkBoneDecimate::Numbers vtkBoneDecimate::FiguresOfPart(vtkPolyData* output) const
+vtkBoneDecimate::Internals::Numbers vtkBoneDecimate::Internals::FiguresOfPart(
+  vtkPolyData* output) const
 {
   using namespace bonedecimate;
-  const int threads = this->State->Options.NumberOfThreads;
+  const int threads = this->Filter->State->Options.NumberOfThreads;
   Report part;
-  part.Edits = this->State->Report.Edits;
-  part.LeftOut = this->State->Report.LeftOut;
+  part.Edits = this->Filter->State->Report.Edits;
+  part.LeftOut = this->Filter->State->Report.LeftOut;
   part.OutputChecksum = TriangleChecksum(ToSurface(output, threads).Surface, threads);
   return ToNumbers(std::move(part));
 }

@@ -5,6 +5,7 @@
  * @brief What vtkBoneDecimate offers to classes that simplify a surface in parts.
  */
 #include "FiguresOfParts.h"
+#include "FilterProgress.h"
 #include "Geometry/NearSurface.h"
 #include "LabelArrays.h"
 #include "LabelMapArrays.h"
@@ -94,7 +95,7 @@ struct VoxelCounts
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::SetPart(
+void vtkBoneDecimate::Internals::SetPart(
   const std::vector<char>& isShared, const std::vector<double>& smoothedPoints)
 {
   this->Part = std::make_unique<PartOfSurface>();
@@ -105,29 +106,29 @@ void vtkBoneDecimate::SetPart(
     part.SmoothedPoints.emplace_back(
       smoothedPoints[i], smoothedPoints[i + 1], smoothedPoints[i + 2]);
   }
-  Options& options = this->State->Options;
+  Options& options = this->Filter->State->Options;
   options = options.WithoutPruning(); // FindPrunedCells() was before
   options.AllowLargeError = true;     // the size of the whole has been accepted
-  this->Modified();
+  this->Filter->Modified();
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::SetNeighborsOfPart(vtkPolyData* neighbors, double distance)
+void vtkBoneDecimate::Internals::SetNeighborsOfPart(vtkPolyData* neighbors, double distance)
 {
   PartOfSurface& part = *this->Part;
   part.Neighbors =
-    UsableTriangles(ToSurface(neighbors, this->State->Options.NumberOfThreads).Surface);
+    UsableTriangles(ToSurface(neighbors, this->Filter->State->Options.NumberOfThreads).Surface);
   part.Part.Neighbors = &part.Neighbors;
   part.Part.NeighborDistance = distance;
-  this->Modified();
+  this->Filter->Modified();
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::SetOriginalOfPart(
+void vtkBoneDecimate::Internals::SetOriginalOfPart(
   vtkPolyData* original, const EdgesOfPart& cuts, const EdgesOfPart& originalCuts)
 {
   PartOfSurface& part = *this->Part;
-  part.Original = ToSurface(original, this->State->Options.NumberOfThreads);
+  part.Original = ToSurface(original, this->Filter->State->Options.NumberOfThreads);
   part.LabelsOfOriginal = ReadLabelMapArrays(original, part.Original).Source;
   part.Part.Reference = &part.Original.Surface;
   part.Part.ReferenceLabels = &part.LabelsOfOriginal;
@@ -140,16 +141,16 @@ void vtkBoneDecimate::SetOriginalOfPart(
   }
   part.Part.CutEdges = ToEdges(cuts);
   part.Part.ReferenceCutEdges = ToEdges(originalCuts);
-  this->Modified();
+  this->Filter->Modified();
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> vtkBoneDecimate::GetCellLabels(vtkPolyData* input)
+vtkSmartPointer<vtkDataArray> vtkBoneDecimate::Internals::GetCellLabels(vtkPolyData* input)
 {
   int association = -1;
   vtkDataArray* array = this->GetInputArray(LABEL_ARRAY, input, association);
   const vtkSmartPointer<vtkDataArray> labels = LabelsOfCells(
-    input, ToSurface(input, this->State->Options.NumberOfThreads), array, association);
+    input, ToSurface(input, this->Filter->State->Options.NumberOfThreads), array, association);
   if (!labels)
   {
     this->RejectArray(LABEL_ARRAY);
@@ -160,9 +161,9 @@ vtkSmartPointer<vtkDataArray> vtkBoneDecimate::GetCellLabels(vtkPolyData* input)
 //------------------------------------------------------------------------------
 /// The report then has the proof of what the run has changed, and the result the bounds of changed
 /// points.
-void vtkBoneDecimate::ProveContinuedPart(const RunInput& read, Result& result)
+void vtkBoneDecimate::Internals::ProveContinuedPart(const RunInput& read, Result& result)
 {
-  Options options = this->State->Options;
+  Options options = this->Filter->State->Options;
   Report& report = result.Report;
   if (!this->Part || this->Part->Part.Reference == nullptr || !options.ProveResult ||
     report.Status != InputStatus::Good || report.Stop == StopReason::Aborted)
@@ -172,7 +173,7 @@ void vtkBoneDecimate::ProveContinuedPart(const RunInput& read, Result& result)
   const Surface& original = this->Part->Original.Surface;
   const Surface& before = read.Converted.Surface;
   ContinuedProof found = ProveContinued({ original, original, before, result.Surface }, options,
-    true, [this](double) { return !this->GetAbortExecute(); });
+    true, [this](double) { return !this->Filter->GetAbortExecute(); });
   report.Proof.WasMade = true;
   report.Proof.Status = found.Status;
   report.Proof.Tolerance = options.MaximumError;
@@ -182,9 +183,9 @@ void vtkBoneDecimate::ProveContinuedPart(const RunInput& read, Result& result)
 }
 
 //------------------------------------------------------------------------------
-std::vector<bool> vtkBoneDecimate::CellsWithoutArea(vtkPolyData* surface) const
+std::vector<bool> vtkBoneDecimate::Internals::CellsWithoutArea(vtkPolyData* surface) const
 {
-  const int threads = this->State->Options.NumberOfThreads;
+  const int threads = this->Filter->State->Options.NumberOfThreads;
   std::vector<bool> are(static_cast<std::size_t>(surface->GetNumberOfCells()), false);
   const ConvertedSurface converted = ToSurface(surface, threads);
   const CensusOfPart census = TakeCensus(converted.Surface, Vector3::Zero(), {}, threads);
@@ -196,10 +197,10 @@ std::vector<bool> vtkBoneDecimate::CellsWithoutArea(vtkPolyData* surface) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<bool> vtkBoneDecimate::CellsNear(
+std::vector<bool> vtkBoneDecimate::Internals::CellsNear(
   vtkPolyData* surface, vtkPolyData* others, double distance) const
 {
-  const int threads = this->State->Options.NumberOfThreads;
+  const int threads = this->Filter->State->Options.NumberOfThreads;
   std::vector<bool> are(static_cast<std::size_t>(surface->GetNumberOfCells()), false);
   const ConvertedSurface converted = ToSurface(surface, threads);
   const std::vector<char> triangles =
@@ -213,28 +214,30 @@ std::vector<bool> vtkBoneDecimate::CellsNear(
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> vtkBoneDecimate::SmoothPoints(vtkPolyData* whole)
+std::vector<double> vtkBoneDecimate::Internals::SmoothPoints(vtkPolyData* whole)
 {
   RunInput read;
   if (!this->ReadInput(whole, nullptr, {}, read))
   {
     return {};
   }
-  const Options options = this->State->Options.WithoutPruning(); // FindPrunedCells() was before
+  const Options options =
+    this->Filter->State->Options.WithoutPruning(); // FindPrunedCells() was before
+  FilterProgress progress(*this->Filter, "Smoothing the surface");
   const SmoothedInput smoothed = SmoothOnly(
-    read.Converted.Surface, options, [this](double fraction) { return this->GoesOn(fraction); },
-    read.Inputs);
-  this->State->Report.Smoothing = smoothed.Report.Smoothing;
+    read.Converted.Surface, options,
+    [&](double fraction) { return this->GoesOn(progress, fraction); }, read.Inputs);
+  this->Filter->State->Report.Smoothing = smoothed.Report.Smoothing;
   const std::string problem = InputMessage(smoothed.Report);
   if (!problem.empty())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorWithObjectMacro(this->Filter, << problem);
     return {};
   }
   Report figures;
   figures.Smoothing = smoothed.Report.Smoothing;
   figures.Parts = smoothed.Report.Parts;
-  this->Warn(InputWarnings(figures));
+  this->Filter->Warn(InputWarnings(figures));
   std::vector<double> points;
   points.reserve(3 * smoothed.Points.size());
   for (const Vector3& point : smoothed.Points)
@@ -245,19 +248,20 @@ std::vector<double> vtkBoneDecimate::SmoothPoints(vtkPolyData* whole)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBoneDecimate::GuardsVoxels(vtkPolyData* input, double largestError)
+bool vtkBoneDecimate::Internals::GuardsVoxels(vtkPolyData* input, double largestError)
 {
-  const ConvertedSurface converted = ToSurface(input, this->State->Options.NumberOfThreads);
+  const ConvertedSurface converted = ToSurface(input, this->Filter->State->Options.NumberOfThreads);
   const ReadLabelMap map = ReadLabelMapArrays(input, converted);
-  Options options = this->State->Options;
+  Options options = this->Filter->State->Options;
   options.MaximumError = largestError;
   return map.Problem.empty() && bonedecimate::GuardsVoxels(&map.Source, options);
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::CompareVoxels(vtkPolyData* whole, vtkPolyData* result, bool wereGuarded)
+void vtkBoneDecimate::Internals::CompareVoxels(
+  vtkPolyData* whole, vtkPolyData* result, bool wereGuarded)
 {
-  const int threads = this->State->Options.NumberOfThreads;
+  const int threads = this->Filter->State->Options.NumberOfThreads;
   const ConvertedSurface before = ToSurface(whole, threads);
   const ConvertedSurface after = ToSurface(result, threads);
   const ReadLabelMap map = ReadLabelMapArrays(whole, before);
@@ -266,21 +270,21 @@ void vtkBoneDecimate::CompareVoxels(vtkPolyData* whole, vtkPolyData* result, boo
   const ReadLabelMap ofResult = ReadLabelMapArrays(result, after);
   if (map.Problem.empty() && ofResult.Problem.empty())
   {
-    this->State->Report.Voxels = CompareWithInput(
+    this->Filter->State->Report.Voxels = CompareWithInput(
       before.Surface, after.Surface, ofResult.Source.OfTriangle, map.Source, threads, {});
-    this->State->Report.Voxels.WereGuarded = wereGuarded;
+    this->Filter->State->Report.Voxels.WereGuarded = wereGuarded;
   }
 }
 
 //------------------------------------------------------------------------------
-std::vector<char> vtkBoneDecimate::FiguresOfSegmentation() const
+std::vector<char> vtkBoneDecimate::Internals::FiguresOfSegmentation() const
 {
-  const VoxelReport& voxels = this->State->Report.Voxels;
+  const VoxelReport& voxels = this->Filter->State->Report.Voxels;
   const VoxelChanges& changes = voxels.Changes;
   const VoxelCounts counts = { voxels.WereGuarded, voxels.WasChecked, changes.Compared,
     changes.Changed, changes.FirstChanged, static_cast<std::int64_t>(voxels.Values.size()) };
   std::vector<char> bytes;
-  Append(bytes, &this->State->Report.Smoothing, 1);
+  Append(bytes, &this->Filter->State->Report.Smoothing, 1);
   Append(bytes, &counts, 1);
   Append(bytes, voxels.Values.data(), voxels.Values.size());
   Append(bytes, changes.OfLabel.data(), changes.OfLabel.size());
@@ -288,12 +292,12 @@ std::vector<char> vtkBoneDecimate::FiguresOfSegmentation() const
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::TakeFiguresOfSegmentation(const std::vector<char>& bytes)
+void vtkBoneDecimate::Internals::TakeFiguresOfSegmentation(const std::vector<char>& bytes)
 {
   ByteReader reader(bytes);
   VoxelReport voxels;
   VoxelCounts counts;
-  reader.Read(&this->State->Report.Smoothing, 1);
+  reader.Read(&this->Filter->State->Report.Smoothing, 1);
   reader.Read(&counts, 1);
   voxels.WereGuarded = counts.WereGuarded != 0;
   voxels.WasChecked = counts.WasChecked != 0;
@@ -304,31 +308,31 @@ void vtkBoneDecimate::TakeFiguresOfSegmentation(const std::vector<char>& bytes)
   voxels.Changes.OfLabel.resize(voxels.Values.size());
   reader.Read(voxels.Values.data(), voxels.Values.size());
   reader.Read(voxels.Changes.OfLabel.data(), voxels.Changes.OfLabel.size());
-  this->State->Report.Voxels = std::move(voxels);
+  this->Filter->State->Report.Voxels = std::move(voxels);
 }
 
 //------------------------------------------------------------------------------
-bool vtkBoneDecimate::AcceptSize(double diagonal, double largestError)
+bool vtkBoneDecimate::Internals::AcceptSize(double diagonal, double largestError)
 {
   const SizeFigures size = { diagonal, largestError, -1, std::min(diagonal, largestError) };
-  const InputStatus status = CheckSize(size, this->State->Options);
+  const InputStatus status = CheckSize(size, this->Filter->State->Options);
   if (status != InputStatus::Good)
   {
-    vtkErrorMacro(<< SizeMessage(size, status));
+    vtkErrorWithObjectMacro(this->Filter, << SizeMessage(size, status));
     return false;
   }
-  this->Warn(SizeWarnings(size));
+  this->Filter->Warn(SizeWarnings(size));
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::TakeReport(const vtkBoneDecimate& from)
+void vtkBoneDecimate::Internals::TakeReport(const vtkBoneDecimate& from)
 {
-  this->State->Keep(from.State->Report);
+  this->Filter->State->Keep(from.State->Report);
 }
 
 //------------------------------------------------------------------------------
-void vtkBoneDecimate::SetReportOfParts(const std::map<std::string, double>& entries,
+void vtkBoneDecimate::Internals::SetReportOfParts(const std::map<std::string, double>& entries,
   const std::vector<Numbers>& ofParts, vtkPolyData* output)
 {
   std::vector<ReportEntry> list;
@@ -348,10 +352,10 @@ void vtkBoneDecimate::SetReportOfParts(const std::map<std::string, double>& entr
   report.Output.Faces = static_cast<std::int64_t>(of("output.triangles"));
   report.Proof.WasMade = entries.count("proof.upper") > 0;
   report.Proof.OutputToInput.Upper = of("proof.upper");
-  report.Requested = this->State->Options;
-  report.Pruned = this->State->Report.Pruned;
-  report.Smoothing = this->State->Report.Smoothing;
-  report.Voxels = this->State->Report.Voxels;
+  report.Requested = this->Filter->State->Options;
+  report.Pruned = this->Filter->State->Report.Pruned;
+  report.Smoothing = this->Filter->State->Report.Smoothing;
+  report.Voxels = this->Filter->State->Report.Voxels;
   report.Proof.BoundariesCompared = true; // each part compared its own
   TakeFiguresOfParts(ofParts, report);
   for (const ReportEntry& entry : ReportEntries(report))
@@ -361,7 +365,7 @@ void vtkBoneDecimate::SetReportOfParts(const std::map<std::string, double>& entr
       list.push_back(entry);
     }
   }
-  this->State->Report = std::move(report);
-  this->State->Entries = NamedEntries(list);
+  this->Filter->State->Report = std::move(report);
+  this->Filter->State->Entries = NamedEntries(list);
   SetReport(BoundToSurface(list), ArraysOfReport(), output->GetFieldData());
 }

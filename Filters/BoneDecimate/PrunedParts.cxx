@@ -4,21 +4,21 @@
  * @file PrunedParts.cxx
  * @brief How vtkBoneDecimate prunes components of a surface that is in parts.
  */
+#include "DecimateInternals.h"
 #include "Run/Input/ComponentCensus.h"
 #include "Run/Input/Prune.h"
 #include "RunState.h"
 #include "SurfaceConversion.h"
-#include "vtkBoneDecimate.h"
 
 #include "vtkPolyData.h"
 
-bool vtkBoneDecimate::FindPrunedCells(vtkPolyData* part,
+bool vtkBoneDecimate::Internals::FindPrunedCells(vtkPolyData* part,
   const std::vector<std::array<double, 3>>& shared, const std::array<double, 3>& origin,
   const std::function<std::vector<Numbers>(const Numbers&)>& exchange, int own,
   std::vector<bool>& pruned)
 {
   using namespace bonedecimate;
-  const Options& options = this->State->Options;
+  const Options& options = this->Filter->State->Options;
   const ConvertedSurface converted = ToSurface(part, options.NumberOfThreads);
   const Vector3 common(origin[0], origin[1], origin[2]);
   const CensusOfPart census =
@@ -29,7 +29,7 @@ bool vtkBoneDecimate::FindPrunedCells(vtkPolyData* part,
     parts.push_back(CensusFrom(numbers));
   }
   const JoinedCensus joined = JoinCensus(parts, common);
-  Report& report = this->State->Report;
+  Report& report = this->Filter->State->Report;
   report.Pruned = FindPruned(joined.All, options);
   pruned.assign(static_cast<std::size_t>(part->GetNumberOfCells()), false);
   if (report.Pruned.TookAll && !joined.All.empty())
@@ -37,7 +37,7 @@ bool vtkBoneDecimate::FindPrunedCells(vtkPolyData* part,
     Report found;
     found.Status = InputStatus::EverythingPruned;
     found.Pruned = report.Pruned;
-    vtkErrorMacro(<< InputMessage(found));
+    vtkErrorWithObjectMacro(this->Filter, << InputMessage(found));
     return false;
   }
   const std::vector<Index>& whole = joined.OfComponent[static_cast<std::size_t>(own)];

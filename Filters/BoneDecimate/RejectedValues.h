@@ -77,6 +77,8 @@ public:
     return found == this->Sentences.end() ? std::string() : found->second;
   }
 
+  bool AreThere() const { return !this->Sentences.empty(); }
+
   /// An error event of the filter for each rejected value.
   /// @returns Whether there are any.
   bool Report(vtkObject* filter) const
@@ -85,7 +87,7 @@ public:
     {
       vtkErrorWithObjectMacro(filter, << rejected.second);
     }
-    return !this->Sentences.empty();
+    return this->AreThere();
   }
 
   /// The time of change of the filter: now, as long as there is a rejected value. VTK does not run

@@ -7,16 +7,16 @@
 #ifndef RunInput_h
 #define RunInput_h
 
+#include "DecimateInternals.h"
 #include "LabelMapOfRun.h"
 #include "Run/Decimate.h"
 #include "SurfaceConversion.h"
-#include "vtkBoneDecimate.h"
 
 #include <optional>
 #include <vector>
 
 /// Must not be copied: Inputs refers to the other members.
-struct vtkBoneDecimate::RunInput
+struct vtkBoneDecimate::Internals::RunInput
 {
   bonedecimate::ConvertedSurface Converted;
   bonedecimate::ConvertedSurface Reference;
@@ -32,7 +32,7 @@ struct vtkBoneDecimate::RunInput
 };
 
 /// Must not be copied: Part refers to the other members.
-struct vtkBoneDecimate::PartOfSurface
+struct vtkBoneDecimate::Internals::PartOfSurface
 {
   bonedecimate::SurfacePart Part;
   bonedecimate::Surface Neighbors;

@@ -20,7 +20,6 @@
 struct vtkBoneDecimateAlgorithm::RunState
 {
   bonedecimate::Options Options;
-  bonedecimate::RejectedValues Rejected;
   bonedecimate::Report Report;
   bonedecimate::NamedEntries Entries{ bonedecimate::ReportEntries(bonedecimate::Report()) };
 
@@ -61,7 +60,7 @@ private:
     const bonedecimate::Options& changed, const std::string& problem)
   {
     const bonedecimate::OptionInfo& info = *bonedecimate::FindOption(name);
-    const bool isValid = this->Rejected.Check(
+    const bool isValid = filter->Rejected().Check(
       filter, name, problem.empty() ? filter->OptionProblem(changed, name) : problem);
     const bool isChanged =
       bonedecimate::GetOption(this->Options, info) != bonedecimate::GetOption(changed, info) ||

@@ -135,47 +135,29 @@ const char* ReasonToReject(vtkPolyData* input, vtkInformationVector* outputs)
 }
 }
 
-struct vtkBoneCap::Internals
-{
-  bonedecimate::RejectedValues Rejected;
-};
-
 vtkStandardNewMacro(vtkBoneCap);
 
-vtkBoneCap::vtkBoneCap()
-  : Internal(std::make_unique<Internals>())
-{
-}
+vtkBoneCap::vtkBoneCap() = default;
 
 vtkBoneCap::~vtkBoneCap() = default;
 
 //------------------------------------------------------------------------------
 void vtkBoneCap::SetLoops(int choice)
 {
-  this->Internal->Rejected.SetNumber(this, "Loops", ChoiceRange, choice, this->Loops);
+  this->Rejected().SetNumber(this, "Loops", ChoiceRange, choice, this->Loops);
 }
 
 void vtkBoneCap::SetPlaneTolerance(double tolerance)
 {
-  this->Internal->Rejected.SetNumber(
+  this->Rejected().SetNumber(
     this, "PlaneTolerance", ToleranceRange, tolerance, this->PlaneTolerance);
-}
-
-std::string vtkBoneCap::GetRejectedValue(const std::string& property) const
-{
-  return this->Internal->Rejected.Of(property);
-}
-
-vtkMTimeType vtkBoneCap::GetMTime()
-{
-  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
 }
 
 //------------------------------------------------------------------------------
 int vtkBoneCap::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  if (this->Internal->Rejected.Report(this))
+  if (this->ReportRejectedValues())
   {
     return 0;
   }

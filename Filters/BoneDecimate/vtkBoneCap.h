@@ -26,19 +26,15 @@
 #ifndef vtkBoneCap_h
 #define vtkBoneCap_h
 
+#include "vtkBoneAlgorithm.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
-#include <string> // for sentences
-
-class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneCap : public vtkPolyDataAlgorithm
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneCap : public vtkBoneAlgorithm
 {
 public:
   static vtkBoneCap* New();
-  vtkTypeMacro(vtkBoneCap, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBoneCap, vtkBoneAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /// Values of Loops.
   enum Choice
@@ -77,12 +73,6 @@ public:
   vtkGetMacro(NumberOfOpenLoops, vtkIdType);
   ///@}
 
-  /**
-   * What is wrong with the last value of a property ("PlaneTolerance"), in one sentence; empty if
-   * it was valid.
-   */
-  std::string GetRejectedValue(const std::string& property) const;
-
 protected:
   vtkBoneCap();
   ~vtkBoneCap() override;
@@ -93,8 +83,6 @@ private:
   vtkBoneCap(const vtkBoneCap&) = delete;
   void operator=(const vtkBoneCap&) = delete;
 
-  struct Internals;
-
   int Loops = PlanarLoops;
   double PlaneTolerance = 0.01;
   vtkIdType NumberOfCaps = 0;
@@ -102,7 +90,6 @@ private:
   double CapArea = 0.0;
   vtkIdType NumberOfClosedLoops = 0;
   vtkIdType NumberOfOpenLoops = 0;
-  std::unique_ptr<Internals> Internal;
 };
 
 #endif

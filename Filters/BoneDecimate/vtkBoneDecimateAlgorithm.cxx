@@ -166,7 +166,9 @@ double vtkBoneDecimateAlgorithm::GetProvedError() const
 int vtkBoneDecimateAlgorithm::GetProofStatus() const
 {
   const bonedecimate::ErrorProof& proof = this->State->Report.Proof;
-  return proof.WasMade ? static_cast<int>(proof.Status) : NO_PROOF;
+  return proof.WasMade || proof.Status == bonedecimate::ProofStatus::Aborted
+    ? static_cast<int>(proof.Status)
+    : NO_PROOF;
 }
 
 std::string vtkBoneDecimateAlgorithm::GetProofStatusAsString() const
@@ -229,22 +231,6 @@ double vtkBoneDecimateAlgorithm::GetReportValue(const std::string& name) const
 std::string vtkBoneDecimateAlgorithm::GetReportText(const std::string& name) const
 {
   return this->State->Entries.Text(name);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkBoneDecimateAlgorithm::GetRejectedValue(const std::string& property) const
-{
-  return this->State->Rejected.Of(property);
-}
-
-vtkMTimeType vtkBoneDecimateAlgorithm::GetMTime()
-{
-  return this->State->Rejected.MTime(this->Superclass::GetMTime());
-}
-
-bool vtkBoneDecimateAlgorithm::ReportRejectedValues()
-{
-  return this->State->Rejected.Report(this);
 }
 
 //------------------------------------------------------------------------------

@@ -13,8 +13,8 @@
 #ifndef vtkBoneDecimateAlgorithm_h
 #define vtkBoneDecimateAlgorithm_h
 
+#include "vtkBoneAlgorithm.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for texts
@@ -29,12 +29,11 @@ struct LabelMapRequest;
 struct Options;
 }
 
-class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimateAlgorithm : public vtkPolyDataAlgorithm
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimateAlgorithm : public vtkBoneAlgorithm
 {
 public:
-  vtkAbstractTypeMacro(vtkBoneDecimateAlgorithm, vtkPolyDataAlgorithm);
+  vtkAbstractTypeMacro(vtkBoneDecimateAlgorithm, vtkBoneAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /// Why the last run ended.
   enum StopReasons
@@ -54,7 +53,8 @@ public:
     NO_PROOF = 0,
     PROVED,
     VIOLATED,
-    UNDECIDED
+    UNDECIDED,
+    PROOF_ABORTED ///< The run was aborted before its proof.
   };
 
   /// Whether the filter has an option of that name ("MaximumError").
@@ -95,11 +95,12 @@ public:
   /// first update.
   double GetProvedError() const;
 
-  /// Whether the largest error is proved: one of ProofStatuses; NO_PROOF if there is none, and
+  /// Whether the largest error is proved: one of ProofStatuses; NO_PROOF if none was requested, and
   /// before the first update.
   int GetProofStatus() const;
 
-  /// The status of the proof in one word: "not_requested", "proved", "violated" or "undecided".
+  /// The status of the proof in one word: "not_requested", "proved", "violated", "undecided" or
+  /// "aborted".
   std::string GetProofStatusAsString() const;
 
   /// Largest distance between the input and the result that was found by samples, in both
@@ -149,16 +150,9 @@ public:
   /// Value of an entry as text, numbers with all their digits; empty if the name is unknown.
   std::string GetReportText(const std::string& name) const;
 
-  /// What is wrong with the last value of an option or property ("MaximumError"), in one sentence;
-  /// empty if it was valid.
-  std::string GetRejectedValue(const std::string& property) const;
-
 protected:
   vtkBoneDecimateAlgorithm();
   ~vtkBoneDecimateAlgorithm() override;
-
-  /// Reports an error event for each rejected value. @returns Whether there are any.
-  bool ReportRejectedValues();
 
   /// Reports each sentence as a warning.
   void Warn(const std::vector<std::string>& sentences);

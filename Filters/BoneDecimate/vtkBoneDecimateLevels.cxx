@@ -25,6 +25,7 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 vtkStandardNewMacro(vtkBoneDecimateLevels);
@@ -101,14 +102,14 @@ void vtkBoneDecimateLevels::OptionChanged(const std::string& name)
 //------------------------------------------------------------------------------
 void vtkBoneDecimateLevels::SetNumberOfTriangles(int triangles)
 {
-  this->State->Rejected.SetNumber(
+  this->Rejected().SetNumber(
     this, "NumberOfTriangles", TriangleRange(), triangles, this->NumberOfTriangles);
 }
 
 //------------------------------------------------------------------------------
 void vtkBoneDecimateLevels::SetLevelError(double millimeters)
 {
-  this->State->Rejected.SetNumber(this, "LevelError", { 0.0, bonedecimate::MaxNumber, false, "mm" },
+  this->Rejected().SetNumber(this, "LevelError", { 0.0, bonedecimate::MaxNumber, false, "mm" },
     millimeters, this->LevelError);
 }
 
@@ -198,7 +199,7 @@ int vtkBoneDecimateLevels::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (this->State->Rejected.Report(this) ||
+  if (this->ReportRejectedValues() ||
     !this->Prepare(
       input, vtkPolyData::GetData(inputVector[2]), this->GetLabelMapRequest(inputVector)))
   {
@@ -285,8 +286,9 @@ bool vtkBoneDecimateLevels::OpenLog()
     Internals& mine = *this->Internal;
     const bonedecimate::Surface& surface = mine.Arrays.Converted.Surface;
     status = mine.Levels.Open(surface, std::move(log), this->GetNumberOfThreads(), mine.Inputs());
-    const auto goesOn = [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); };
-    if (status == bonedecimate::LogStatus::Good && !mine.Levels.CompareVoxels(surface, goesOn))
+    bonedecimate::FilterProgress progress(*this, "Comparing voxels");
+    if (status == bonedecimate::LogStatus::Good &&
+      !mine.Levels.CompareVoxels(surface, std::ref(progress)))
     {
       mine.Input = nullptr; // aborted: the next update begins again
     }
@@ -304,10 +306,9 @@ bool vtkBoneDecimateLevels::Record()
   Internals& mine = *this->Internal;
   const bonedecimate::ConvertedSurface& converted = mine.Arrays.Converted;
   this->Warn(converted.Warnings);
+  bonedecimate::FilterProgress progress(*this, "Recording levels");
   bonedecimate::Result run = bonedecimate::RecordLevels(
-    converted.Surface, this->State->Options,
-    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, mine.Inputs(),
-    mine.Levels);
+    converted.Surface, this->State->Options, std::ref(progress), mine.Inputs(), mine.Levels);
   this->Warn(mine.LabelMap.CompareWithMap(converted.Surface, this->State->Options, run));
   this->State->Keep(run.Report);
   const bonedecimate::InputStatus status = run.Report.Status;
@@ -326,6 +327,7 @@ bool vtkBoneDecimateLevels::Record()
   if (!contradiction.empty())
   {
     vtkErrorMacro(<< contradiction);
+    this->ErrorCode = NOT_PROVED;
   }
   if (run.Report.Stop == bonedecimate::StopReason::Aborted)
   {

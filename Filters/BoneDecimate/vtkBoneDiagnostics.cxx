@@ -19,7 +19,6 @@ struct vtkBoneDiagnostics::Internals
 {
   std::vector<bonedecimate::Diagnostic> Diagnostics;
   std::vector<bonedecimate::LeftOutShape> LeftOut;
-  bonedecimate::RejectedValues Rejected;
 
   /// The diagnostic of that index; null if there is none.
   const bonedecimate::Diagnostic* At(int diagnostic) const
@@ -139,24 +138,14 @@ std::string vtkBoneDiagnostics::GetLeftOutSentence(int entry) const
 //------------------------------------------------------------------------------
 void vtkBoneDiagnostics::SetNumberOfThreads(int threads)
 {
-  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
-}
-
-std::string vtkBoneDiagnostics::GetRejectedValue(const std::string& property) const
-{
-  return this->Internal->Rejected.Of(property);
-}
-
-vtkMTimeType vtkBoneDiagnostics::GetMTime()
-{
-  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
+  this->Rejected().SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
 }
 
 //------------------------------------------------------------------------------
 int vtkBoneDiagnostics::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->Internal->Rejected.Report(this))
+  if (this->ReportRejectedValues())
   {
     return 0;
   }

@@ -16,21 +16,20 @@
 #ifndef vtkBoneDiagnostics_h
 #define vtkBoneDiagnostics_h
 
+#include "vtkBoneAlgorithm.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for words and sentences
 
 class vtkIdList;
 
-class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDiagnostics : public vtkPolyDataAlgorithm
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDiagnostics : public vtkBoneAlgorithm
 {
 public:
   static vtkBoneDiagnostics* New();
-  vtkTypeMacro(vtkBoneDiagnostics, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBoneDiagnostics, vtkBoneAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /**
    * Number of diagnostics of the last update. Diagnostics are numbered from 0; for other numbers
@@ -101,12 +100,6 @@ public:
   void SetNumberOfThreads(int threads);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
-
-  /**
-   * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if
-   * it was valid.
-   */
-  std::string GetRejectedValue(const std::string& property) const;
 
 protected:
   vtkBoneDiagnostics();

@@ -21,6 +21,7 @@
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
+#include <functional>
 #include <limits>
 
 vtkStandardNewMacro(vtkBoneErrorSearch);
@@ -104,7 +105,7 @@ std::string vtkBoneErrorSearch::OptionProblem(
 //------------------------------------------------------------------------------
 void vtkBoneErrorSearch::SetRelativePrecision(double ratio)
 {
-  this->State->Rejected.SetNumber(
+  this->Rejected().SetNumber(
     this, "RelativePrecision", { 0.001, 0.5 }, ratio, this->RelativePrecision);
 }
 
@@ -119,7 +120,7 @@ void vtkBoneErrorSearch::AddError(double millimeters)
   }
   else
   {
-    this->State->Rejected.Check(this, "Error",
+    this->Rejected().Check(this, "Error",
       "Error takes a number above 0 and at most 1e30 mm, not " +
         bonedecimate::SentenceNumber(millimeters));
   }
@@ -128,7 +129,7 @@ void vtkBoneErrorSearch::AddError(double millimeters)
 //------------------------------------------------------------------------------
 void vtkBoneErrorSearch::RemoveAllErrors()
 {
-  this->State->Rejected.Check(this, "Error", {});
+  this->Rejected().Check(this, "Error", {});
   if (!this->Errors.empty())
   {
     this->Errors.clear();
@@ -175,7 +176,7 @@ int vtkBoneErrorSearch::FillOutputPortInformation(int port, vtkInformation* info
 int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->State->Rejected.Report(this))
+  if (this->ReportRejectedValues())
   {
     return 0;
   }
@@ -207,10 +208,10 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
     options.Inputs.Reference = &reference.Surface;
     options.Inputs.LeftOut = &reference.LeftOut;
   }
-  const auto monitor = [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); };
+  bonedecimate::FilterProgress progress(*this, "Searching for the smallest error");
   bonedecimate::ErrorSearchResult found = this->Errors.empty()
-    ? bonedecimate::FindSmallestError(converted.Surface, options, monitor)
-    : bonedecimate::FindErrorCurve(converted.Surface, this->Errors, options, monitor);
+    ? bonedecimate::FindSmallestError(converted.Surface, options, std::ref(progress))
+    : bonedecimate::FindErrorCurve(converted.Surface, this->Errors, options, std::ref(progress));
   this->Warn(map.CompareWithMap(converted.Surface, options.Run, found.Found));
   this->State->Keep(found.Found.Report);
   const std::string problem = bonedecimate::InputMessage(found.Found.Report);

@@ -6,6 +6,7 @@
 #include "Labels/LabelMap/ChangePieces.h"
 #include "Labels/LabelMap/LabelSurfaces.h"
 #include "RejectedValues.h"
+#include "vtkBoneAlgorithm.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -159,12 +160,14 @@ int vtkBoneLabelPieces::RequestData(vtkInformation* vtkNotUsed(request),
 {
   Internals& internal = *this->Internal;
   internal.Counts = {};
+  this->ErrorCode = vtkBoneAlgorithm::REJECTED_RUN;
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = this->GetInputArrayToProcess(0, image, association);
   const bonedecimate::ImageLabels labels = bonedecimate::ReadImageLabels(image, array, association);
   if (internal.Rejected.Report(this))
   {
+    this->ErrorCode = vtkBoneAlgorithm::REJECTED_VALUE;
     return 0;
   }
   if (!labels.Problem.empty() ||
@@ -195,6 +198,7 @@ int vtkBoneLabelPieces::RequestData(vtkInformation* vtkNotUsed(request),
     association == vtkDataObject::FIELD_ASSOCIATION_CELLS ? vtkDataObject::CELL
                                                           : vtkDataObject::POINT);
   attributes->SetScalars(changed);
+  this->ErrorCode = 0;
   return 1;
 }
 

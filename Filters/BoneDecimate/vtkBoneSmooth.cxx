@@ -20,6 +20,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <functional>
 #include <optional>
 
 vtkStandardNewMacro(vtkBoneSmooth);
@@ -67,6 +68,7 @@ bool vtkBoneSmooth::Accept(const std::vector<std::string>& warnings)
   if (!contradiction.empty())
   {
     vtkErrorMacro(<< contradiction);
+    this->ErrorCode = NOT_PROVED;
   }
   return true;
 }
@@ -104,9 +106,8 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   RunInputs inputs = arrays.Inputs();
   inputs.WantsOrigins = NeedsOrigins(input, options);
   inputs.LabelMap = map.Known();
-  Result result = Decimate(
-    converted.Surface, options,
-    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); }, inputs);
+  bonedecimate::FilterProgress progress(*this, "Smoothing the surface");
+  Result result = Decimate(converted.Surface, options, std::ref(progress), inputs);
   std::vector<std::string> warnings = map.CompareWithMap(converted.Surface, options, result);
   warnings.insert(warnings.end(), converted.Warnings.begin(), converted.Warnings.end());
   const std::vector<std::string> renamed = ArrayWarnings(input, options);

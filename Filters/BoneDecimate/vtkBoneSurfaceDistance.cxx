@@ -21,6 +21,7 @@
 #include "vtkPolyData.h"
 #include "vtkSignedCharArray.h"
 
+#include <functional>
 #include <utility>
 
 vtkStandardNewMacro(vtkBoneSurfaceDistance);
@@ -34,7 +35,6 @@ struct vtkBoneSurfaceDistance::Internals
   bonedecimate::CertificateOptions Options;
   bonedecimate::Certificate Result;
   bonedecimate::NamedEntries Entries{ {} };
-  bonedecimate::RejectedValues Rejected;
 };
 
 namespace
@@ -93,13 +93,13 @@ vtkBoneSurfaceDistanceName(SideArrayName)
   //------------------------------------------------------------------------------
   void vtkBoneSurfaceDistance::SetTolerance(double millimeters)
 {
-  this->Internal->Rejected.SetNumber(
+  this->Rejected().SetNumber(
     this, "Tolerance", { 0.0, bonedecimate::MaxNumber, false, "mm" }, millimeters, this->Tolerance);
 }
 
 void vtkBoneSurfaceDistance::RemoveTolerance()
 {
-  this->Internal->Rejected.Set(this, "Tolerance", {}, NoTolerance, this->Tolerance);
+  this->Rejected().Set(this, "Tolerance", {}, NoTolerance, this->Tolerance);
 }
 
 void vtkBoneSurfaceDistance::SetToleranceOrNone(double millimeters)
@@ -109,28 +109,17 @@ void vtkBoneSurfaceDistance::SetToleranceOrNone(double millimeters)
 
 void vtkBoneSurfaceDistance::SetRelativeGap(double gap)
 {
-  this->Internal->Rejected.SetNumber(this, "RelativeGap", { 1e-12, 1.0 }, gap, this->RelativeGap);
+  this->Rejected().SetNumber(this, "RelativeGap", { 1e-12, 1.0 }, gap, this->RelativeGap);
 }
 
 void vtkBoneSurfaceDistance::SetMeanPrecision(double precision)
 {
-  this->Internal->Rejected.SetNumber(
-    this, "MeanPrecision", { 1e-4, 1.0 }, precision, this->MeanPrecision);
+  this->Rejected().SetNumber(this, "MeanPrecision", { 1e-4, 1.0 }, precision, this->MeanPrecision);
 }
 
 void vtkBoneSurfaceDistance::SetNumberOfThreads(int threads)
 {
-  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
-}
-
-std::string vtkBoneSurfaceDistance::GetRejectedValue(const std::string& property) const
-{
-  return this->Internal->Rejected.Of(property);
-}
-
-vtkMTimeType vtkBoneSurfaceDistance::GetMTime()
-{
-  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
+  this->Rejected().SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
 }
 
 //------------------------------------------------------------------------------
@@ -198,7 +187,7 @@ int vtkBoneSurfaceDistance::RequestData(vtkInformation* vtkNotUsed(request),
   }
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* result = vtkPolyData::GetData(inputVector[1]);
-  if (this->Internal->Rejected.Report(this) || !this->TakeTolerances(reference) ||
+  if (this->ReportRejectedValues() || !this->TakeTolerances(reference) ||
     !this->Compare(reference, result))
   {
     return 0;
@@ -264,8 +253,8 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   options.WithPointDistances = true;
   options.NumberOfThreads = this->NumberOfThreads;
   bonedecimate::Certificate& certificate = this->Internal->Result;
-  certificate = bonedecimate::Certify(one.Surface, two.Surface, options,
-    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
+  bonedecimate::FilterProgress progress(*this, "Proving the distance");
+  certificate = bonedecimate::Certify(one.Surface, two.Surface, options, std::ref(progress));
   NameCells(one, two, certificate.ReferenceToResult);
   NameCells(two, one, certificate.ResultToReference);
   NameCells(one, two, certificate.BoundaryOfReferenceToResult);

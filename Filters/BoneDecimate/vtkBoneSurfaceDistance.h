@@ -30,19 +30,18 @@
 #ifndef vtkBoneSurfaceDistance_h
 #define vtkBoneSurfaceDistance_h
 
+#include "vtkBoneAlgorithm.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for array names and report texts
 
-class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneSurfaceDistance : public vtkPolyDataAlgorithm
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneSurfaceDistance : public vtkBoneAlgorithm
 {
 public:
   static vtkBoneSurfaceDistance* New();
-  vtkTypeMacro(vtkBoneSurfaceDistance, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBoneSurfaceDistance, vtkBoneAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /// Whether the tolerance is kept.
   enum Status
@@ -148,12 +147,6 @@ public:
    * For panels, which set every property: as SetTolerance(), but -1 removes the tolerance.
    */
   void SetToleranceOrNone(double millimeters);
-
-  /**
-   * What is wrong with the last value of a property ("Tolerance"), in one sentence; empty if it was
-   * valid.
-   */
-  std::string GetRejectedValue(const std::string& property) const;
 
   /**
    * Whether the last run kept its tolerance: one of Status.

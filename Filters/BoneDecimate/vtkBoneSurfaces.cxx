@@ -28,6 +28,7 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +36,6 @@
 struct vtkBoneSurfaces::Internals
 {
   std::vector<std::int64_t> Labels;
-  bonedecimate::RejectedValues Rejected;
   std::string ModelGrid = "auto";
   std::string ModelGridFound;
 
@@ -197,20 +197,20 @@ vtkTypeInt64 vtkBoneSurfaces::GetLabel(int index) const
 //------------------------------------------------------------------------------
 void vtkBoneSurfaces::SetNumberOfThreads(int threads)
 {
-  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
+  this->Rejected().SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
 }
 
 void vtkBoneSurfaces::SetOutputPointsPrecision(int precision)
 {
-  this->Internal->Rejected.SetNumber(this, "OutputPointsPrecision",
+  this->Rejected().SetNumber(this, "OutputPointsPrecision",
     { SINGLE_PRECISION, DEFAULT_PRECISION, true, {} }, precision, this->OutputPointsPrecision);
 }
 
 void vtkBoneSurfaces::SetModelGrid(const std::string& choice)
 {
   const std::string problem = bonedecimate::ReadModelGridChoice(choice).Problem;
-  this->Internal->Rejected.Set(this, "ModelGrid",
-    problem.empty() ? problem : "ModelGrid " + problem, choice, this->Internal->ModelGrid);
+  this->Rejected().Set(this, "ModelGrid", problem.empty() ? problem : "ModelGrid " + problem,
+    choice, this->Internal->ModelGrid);
 }
 
 std::string vtkBoneSurfaces::GetModelGrid() const
@@ -221,16 +221,6 @@ std::string vtkBoneSurfaces::GetModelGrid() const
 std::string vtkBoneSurfaces::GetModelGridFound() const
 {
   return this->Internal->ModelGridFound;
-}
-
-std::string vtkBoneSurfaces::GetRejectedValue(const std::string& property) const
-{
-  return this->Internal->Rejected.Of(property);
-}
-
-vtkMTimeType vtkBoneSurfaces::GetMTime()
-{
-  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +242,7 @@ int vtkBoneSurfaces::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
 int vtkBoneSurfaces::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->Internal->Rejected.Report(this))
+  if (this->ReportRejectedValues())
   {
     return 0;
   }
@@ -284,9 +274,10 @@ bool vtkBoneSurfaces::Extract(
     vtkErrorMacro(<< labels.Problem);
     return false;
   }
+  bonedecimate::FilterProgress progress(*this, "Extracting surfaces");
   bonedecimate::LabelSurfaces surfaces = bonedecimate::ExtractLabelSurfaces(labels.Image,
     { this->Internal->Labels, this->BackgroundLabel, this->Closed, this->NumberOfThreads },
-    [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
+    std::ref(progress));
   if (surfaces.Status == bonedecimate::LabelSurfaceStatus::Aborted)
   {
     return true;

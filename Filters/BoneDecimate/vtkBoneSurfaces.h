@@ -41,21 +41,20 @@
 #ifndef vtkBoneSurfaces_h
 #define vtkBoneSurfaces_h
 
+#include "vtkBoneAlgorithm.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for rejected values
 
 class vtkImageData;
 
-class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneSurfaces : public vtkPolyDataAlgorithm
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneSurfaces : public vtkBoneAlgorithm
 {
 public:
   static vtkBoneSurfaces* New();
-  vtkTypeMacro(vtkBoneSurfaces, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBoneSurfaces, vtkBoneAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   /**
    * Adds a label to extract. By default there is none: then all labels are extracted. With a
@@ -130,12 +129,6 @@ public:
    * those of the voxels of the image.
    */
   std::string GetModelGridFound() const;
-
-  /**
-   * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if
-   * it was valid.
-   */
-  std::string GetRejectedValue(const std::string& property) const;
 
   /**
    * Gets the surface of one label out of surfaces of several, smoothed or decimated or not:

@@ -34,7 +34,6 @@ struct vtkBoneTolerance::Internals
   std::string ToleranceArrayName = "Tolerance";
   std::vector<int> Labels;
   bonedecimate::PointChoice Chosen; // of the run
-  bonedecimate::RejectedValues Rejected;
 
   bool Counts(double value) const
   {
@@ -113,37 +112,32 @@ vtkBoneToleranceName(ToleranceArrayName)
   //------------------------------------------------------------------------------
   void vtkBoneTolerance::SetChoice(int choice)
 {
-  this->Internal->Rejected.SetNumber(
+  this->Rejected().SetNumber(
     this, "Choice", { EVERYTHING, UNLIMITED, true, {} }, choice, this->Choice);
 }
 
 void vtkBoneTolerance::SetFoldAngle(double degrees)
 {
-  this->Internal->Rejected.SetNumber(
+  this->Rejected().SetNumber(
     this, "FoldAngle", { 0.0, 180.0, false, "degrees" }, degrees, this->FoldAngle);
 }
 
 void vtkBoneTolerance::SetInsideTolerance(double millimeters)
 {
-  this->Internal->Rejected.SetNumber(
+  this->Rejected().SetNumber(
     this, "InsideTolerance", ToleranceRange(), millimeters, this->InsideTolerance);
 }
 
 void vtkBoneTolerance::SetOutsideTolerance(double millimeters)
 {
-  this->Internal->Rejected.SetNumber(
+  this->Rejected().SetNumber(
     this, "OutsideTolerance", ToleranceRange(), millimeters, this->OutsideTolerance);
 }
 
 void vtkBoneTolerance::SetFeather(double millimeters)
 {
-  this->Internal->Rejected.SetNumber(
+  this->Rejected().SetNumber(
     this, "Feather", { 0.0, bonedecimate::MaxNumber, false, "mm" }, millimeters, this->Feather);
-}
-
-std::string vtkBoneTolerance::GetRejectedValue(const std::string& property) const
-{
-  return this->Internal->Rejected.Of(property);
 }
 
 //------------------------------------------------------------------------------
@@ -177,7 +171,7 @@ int vtkBoneTolerance::GetLabel(int index) const
 //------------------------------------------------------------------------------
 vtkMTimeType vtkBoneTolerance::GetMTime()
 {
-  const vtkMTimeType own = this->Internal->Rejected.MTime(this->Superclass::GetMTime());
+  const vtkMTimeType own = this->Superclass::GetMTime();
   return this->ImplicitFunction ? std::max(own, this->ImplicitFunction->GetMTime()) : own;
 }
 
@@ -197,7 +191,7 @@ int vtkBoneTolerance::FillInputPortInformation(int port, vtkInformation* info)
 int vtkBoneTolerance::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->Internal->Rejected.Report(this))
+  if (this->ReportRejectedValues())
   {
     return 0;
   }

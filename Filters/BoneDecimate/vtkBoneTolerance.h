@@ -27,19 +27,19 @@
 #ifndef vtkBoneTolerance_h
 #define vtkBoneTolerance_h
 
+#include "vtkBoneAlgorithm.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for array names
 
 class vtkImplicitFunction;
 
-class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneTolerance : public vtkPolyDataAlgorithm
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneTolerance : public vtkBoneAlgorithm
 {
 public:
   static vtkBoneTolerance* New();
-  vtkTypeMacro(vtkBoneTolerance, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBoneTolerance, vtkBoneAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What chooses the points.
@@ -165,13 +165,7 @@ public:
   ///@}
 
   /**
-   * What is wrong with the last value of a property ("Feather"), in one sentence; empty if it was
-   * valid.
-   */
-  std::string GetRejectedValue(const std::string& property) const;
-
-  /**
-   * The implicit function counts, too, and it changes as long as there is a rejected value.
+   * The implicit function counts, too.
    */
   vtkMTimeType GetMTime() override;
 

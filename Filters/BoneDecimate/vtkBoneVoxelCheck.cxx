@@ -24,12 +24,12 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <vector>
 
 struct vtkBoneVoxelCheck::Internals
 {
-  bonedecimate::RejectedValues Rejected;
   bonedecimate::VoxelChanges Changes;
   std::string ModelGridFound;
   bonedecimate::VoxelChanges ImageChanges; // besides those of the map of a network
@@ -59,17 +59,7 @@ vtkBoneVoxelCheck::~vtkBoneVoxelCheck() = default;
 //------------------------------------------------------------------------------
 void vtkBoneVoxelCheck::SetNumberOfThreads(int threads)
 {
-  this->Internal->Rejected.SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
-}
-
-std::string vtkBoneVoxelCheck::GetRejectedValue(const std::string& property) const
-{
-  return this->Internal->Rejected.Of(property);
-}
-
-vtkMTimeType vtkBoneVoxelCheck::GetMTime()
-{
-  return this->Internal->Rejected.MTime(this->Superclass::GetMTime());
+  this->Rejected().SetOption(this, "NumberOfThreads", threads, this->NumberOfThreads);
 }
 
 //------------------------------------------------------------------------------
@@ -168,7 +158,7 @@ int vtkBoneVoxelCheck::RequestData(vtkInformation* vtkNotUsed(request),
   this->Internal->ModelGridFound.clear();
   this->Internal->Values.clear();
   this->Internal->LeftOut.clear();
-  if (this->Internal->Rejected.Report(this))
+  if (this->ReportRejectedValues())
   {
     return 0;
   }
@@ -262,13 +252,13 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
     [&values](std::int64_t value)
     { return std::find(values.begin(), values.end(), value) == values.end(); });
   this->Internal->Values = values;
+  bonedecimate::FilterProgress progress(*this, "Comparing voxels");
   const auto compare = [&](const bonedecimate::LabelImage& reference)
   {
     const bonedecimate::VoxelCheckSettings settings = { reference.Grid,
       static_cast<bonedecimate::Index>(values.size()), this->NumberOfThreads };
     return bonedecimate::CompareVoxels(reference, values,
-      { converted.Surface, map.Source.OfTriangle }, settings,
-      [this](double fraction) { return bonedecimate::GoesOn(*this, fraction); });
+      { converted.Surface, map.Source.OfTriangle }, settings, std::ref(progress));
   };
   this->Internal->Changes = compare(labels.Image);
   this->Internal->ModelGridFound = model.Sentence;

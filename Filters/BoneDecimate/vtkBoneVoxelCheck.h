@@ -24,8 +24,8 @@
 #ifndef vtkBoneVoxelCheck_h
 #define vtkBoneVoxelCheck_h
 
+#include "vtkBoneAlgorithm.h"
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 #include <string> // for GetRejectedValue
@@ -38,13 +38,12 @@ namespace bonedecimate
 struct LabelMapSource;
 }
 
-class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneVoxelCheck : public vtkPolyDataAlgorithm
+class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneVoxelCheck : public vtkBoneAlgorithm
 {
 public:
   static vtkBoneVoxelCheck* New();
-  vtkTypeMacro(vtkBoneVoxelCheck, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkBoneVoxelCheck, vtkBoneAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkMTimeType GetMTime() override; // changes as long as there is a rejected value
 
   ///@{
   /**
@@ -137,12 +136,6 @@ public:
   vtkTypeInt64 GetNumberOfLostVoxels(int index) const;
   vtkTypeInt64 GetNumberOfGainedVoxels(int index) const;
   ///@}
-
-  /**
-   * What is wrong with the last value of a property ("NumberOfThreads"), in one sentence; empty if
-   * it was valid.
-   */
-  std::string GetRejectedValue(const std::string& property) const;
 
 protected:
   vtkBoneVoxelCheck();

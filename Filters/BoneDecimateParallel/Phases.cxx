@@ -58,7 +58,7 @@ double vtkPBoneDecimate::WholeDiagonal(vtkPolyData* input) const
 /// that is reached ends the run.
 double vtkPBoneDecimate::TargetTriangles(double total, double error, bool isLimited) const
 {
-  const double reduced = this->EndsAtReduction(isLimited || error > 0.0)
+  const double reduced = this->Internal->EndsAtReduction(isLimited || error > 0.0)
     ? std::floor(total * (1.0 - this->GetTargetReduction()) + 0.5)
     : 0.0;
   return std::max(static_cast<double>(this->GetTargetNumberOfTriangles()), reduced);
@@ -68,7 +68,7 @@ double vtkPBoneDecimate::TargetTriangles(double total, double error, bool isLimi
 /// Whether every point of every process has a tolerance.
 bool vtkPBoneDecimate::IsLimitedEverywhere(vtkPolyData* input)
 {
-  vtkDataArray* tolerances = this->GetPointTolerances(input);
+  vtkDataArray* tolerances = this->Internal->GetPointTolerances(input);
   bool isLimited = tolerances != nullptr || input->GetNumberOfPoints() == 0;
   for (vtkIdType i = 0; tolerances && i < tolerances->GetNumberOfTuples(); ++i)
   {
@@ -83,9 +83,9 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(
 {
   Plan plan;
   plan.VoxelSize = voxelSize;
-  plan.Error = this->LargestErrorOf(voxelSize);
+  plan.Error = this->Internal->LargestErrorOf(voxelSize);
   plan.ProvesError = plan.Error > 0.0 && this->GetMode() != THESIS;
-  plan.GuardsVoxels = this->IsTrueAnywhere(this->GuardsVoxels(input, plan.Error));
+  plan.GuardsVoxels = this->IsTrueAnywhere(this->Internal->GuardsVoxels(input, plan.Error));
   plan.Shared = bonedecimate::SharedPositions(input, this->Controller);
   plan.SharedPoints = static_cast<double>(plan.Shared.size());
   for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
@@ -103,7 +103,8 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(
   const bool hasReference = this->IsTrueAnywhere(reference != nullptr);
   const bool hasUnchanged = this->IsTrueAnywhere(constrained > 0.0);
   plan.ReducesStrips = hasUnchanged && plan.Target < plan.Total && !hasReference &&
-    !this->HasInputArray(TOLERANCE_ARRAY) && !(this->GetMode() == THESIS && plan.Error > 0.0);
+    !this->Internal->HasInputArray(TOLERANCE_ARRAY) &&
+    !(this->GetMode() == THESIS && plan.Error > 0.0);
   // Strips that are reduced later count with their target, all others as they are.
   const double ratio = plan.ReducesStrips
     ? plan.Target / std::max(plan.Total, 1.0)
@@ -117,7 +118,7 @@ vtkPBoneDecimate::Plan vtkPBoneDecimate::MakePlan(
 //------------------------------------------------------------------------------
 void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, const Plan& plan)
 {
-  run->CopyOptions(*this);
+  run->Internal->CopyOptions(*this);
   run->SetTargetNumberOfTriangles(
     static_cast<int>(std::min<double>(triangles, std::numeric_limits<int>::max())));
   run->SetTargetReduction(1.0); // is in the number
@@ -127,7 +128,7 @@ void vtkPBoneDecimate::Order(vtkPBoneDecimate* run, double triangles, const Plan
   run->SetAutomaticSmoothing(false);
   run->SetFeatureAngle(180.0);
   run->SetKeepVoxels(plan.GuardsVoxels ? KEEP_VOXELS_ON : KEEP_VOXELS_OFF);
-  if (this->HasInputArray(LABEL_ARRAY))
+  if (this->Internal->HasInputArray(LABEL_ARRAY))
   {
     run->SetLabelArrayName(bonedecimate::CellLabelsName);
   }
@@ -141,10 +142,10 @@ bool vtkPBoneDecimate::ReducePart(
   vtkPBoneDecimate* run, vtkPolyData* input, vtkPolyData* reference, const Plan& plan)
 {
   this->Order(run, plan.TargetHere, plan);
-  run->SetPart(plan.IsShared, plan.SmoothedPoints);
+  run->Internal->SetPart(plan.IsShared, plan.SmoothedPoints);
   if (plan.ProvesError)
   {
-    run->SetNeighborsOfPart(plan.Neighbors, plan.NeighborDistance());
+    run->Internal->SetNeighborsOfPart(plan.Neighbors, plan.NeighborDistance());
   }
   return this->Run(run, input, reference);
 }
@@ -212,6 +213,6 @@ void vtkPBoneDecimate::Report(const Plan& plan, vtkPolyData* output)
   {
     entries["proof.upper"] = plan.Proved;
   }
-  this->SetReportOfParts(
-    entries, bonedecimate::AllNumbers(this->FiguresOfPart(output), this->Controller), output);
+  this->Internal->SetReportOfParts(entries,
+    bonedecimate::AllNumbers(this->Internal->FiguresOfPart(output), this->Controller), output);
 }

@@ -7,6 +7,7 @@
 #ifndef Plan_h
 #define Plan_h
 
+#include "DecimateInternals.h"
 #include "SharedPositions.h"
 #include "vtkPBoneDecimate.h"
 #include "vtkPolyData.h"

@@ -6,6 +6,7 @@
  * the whole surface are removed, as if they had never been in the input.
  */
 #include "BoundaryStrips.h"
+#include "DecimateInternals.h"
 #include "Gathering.h"
 #include "vtkPBoneDecimate.h"
 
@@ -21,7 +22,7 @@
 /// them when they move. Null if the array of a process does not suit; the reason has been reported.
 vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::WithCellLabels(vtkPolyData* input)
 {
-  if (!this->HasInputArray(LABEL_ARRAY))
+  if (!this->Internal->HasInputArray(LABEL_ARRAY))
   {
     return input;
   }
@@ -30,7 +31,7 @@ vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::WithCellLabels(vtkPolyData* input
   vtkSmartPointer<vtkDataArray> labels;
   if (input->GetNumberOfPoints() > 0)
   {
-    labels = this->GetCellLabels(input);
+    labels = this->Internal->GetCellLabels(input);
   }
   const bool isWrong = input->GetNumberOfPoints() > 0 && !labels;
   if (this->IsTrueAnywhere(isWrong))
@@ -53,7 +54,7 @@ vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::WithCellLabels(vtkPolyData* input
 /// What is left of this process's part. Null if nothing of any is; the reason has been reported.
 vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::PruneTogether(vtkPolyData* input)
 {
-  if (!this->Prunes())
+  if (!this->Internal->Prunes())
   {
     return input;
   }
@@ -66,9 +67,10 @@ vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::PruneTogether(vtkPolyData* input)
       this->OfAll(isEmpty ? none : input->GetBounds()[2 * axis], vtkCommunicator::MIN_OP);
   }
   std::vector<bool> pruned;
-  const bool isAnyLeft = this->FindPrunedCells(
+  const bool isAnyLeft = this->Internal->FindPrunedCells(
     input, bonedecimate::SharedPositions(input, this->Controller), low,
-    [this](const Numbers& own) { return bonedecimate::AllNumbers(own, this->Controller); },
+    [this](const Internals::Numbers& own)
+    { return bonedecimate::AllNumbers(own, this->Controller); },
     this->Controller->GetLocalProcessId(), pruned);
   return isAnyLeft ? bonedecimate::WithoutCells(input, pruned) : nullptr;
 }

@@ -129,7 +129,7 @@ void vtkPBoneDecimate::FindNeighbors(vtkPolyData* input, Plan& plan)
       bonedecimate::GatheredAt(process, piece, this->Controller);
     if (near)
     {
-      plan.Neighbors = bonedecimate::OnlyCells(near, this->CellsNear(near, bare, reach));
+      plan.Neighbors = bonedecimate::OnlyCells(near, this->Internal->CellsNear(near, bare, reach));
     }
   }
 }
@@ -142,7 +142,7 @@ std::vector<bool> vtkPBoneDecimate::UnchangedCells(vtkPolyData* surface, const P
   if (plan.ProvesError)
   {
     const std::vector<bool> near =
-      this->CellsNear(surface, plan.Neighbors, plan.NeighborDistance());
+      this->Internal->CellsNear(surface, plan.Neighbors, plan.NeighborDistance());
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
       cells[i] = cells[i] || near[i];
@@ -163,13 +163,14 @@ vtkPBoneDecimate::Strips vtkPBoneDecimate::CutStripsOfAll(
   if (plan.ProvesError)
   {
     const double error = Plan::OneError * plan.Error;
-    const vtkSmartPointer<vtkPolyData> bare =
-      bonedecimate::WithoutArrays(bonedecimate::WithoutCells(input, this->CellsWithoutArea(input)));
+    const vtkSmartPointer<vtkPolyData> bare = bonedecimate::WithoutArrays(
+      bonedecimate::WithoutCells(input, this->Internal->CellsWithoutArea(input)));
     const auto changing = bonedecimate::GatheredEverywhere(
       bonedecimate::WithoutArrays(bonedecimate::OnlyCells(output, mayChange)), this->Controller);
     strips.Original = bonedecimate::GatheredEverywhere(
-      bonedecimate::CutOut(bare, this->CellsNear(bare, changing, error)), this->Controller);
-    around = this->CellsNear(output, strips.Original, Plan::ErrorsOfReach * plan.Error);
+      bonedecimate::CutOut(bare, this->Internal->CellsNear(bare, changing, error)),
+      this->Controller);
+    around = this->Internal->CellsNear(output, strips.Original, Plan::ErrorsOfReach * plan.Error);
   }
   const bonedecimate::StripParts parts = bonedecimate::CutStrips(output, mayChange, around);
   strips.Rest = parts.Rest;
@@ -199,7 +200,7 @@ void vtkPBoneDecimate::ReduceSharedStrips(
   this->Controller->Broadcast(reduced, 0);
   plan.StripsAfter = static_cast<double>(reduced->GetNumberOfPolys());
   plan.Proved = std::fmax(plan.Proved, this->ProvedByAll(run));
-  this->AddRun(*run);
+  this->Internal->AddRun(*run);
   this->MeasureAnew(input, strips.Rest, reduced);
   this->FillInputCopy(plan.Unpruned, { strips.Rest, reduced }, inputCopy);
   const auto whole = isFirst ? bonedecimate::Join({ strips.Rest, reduced }) : strips.Rest;
@@ -213,12 +214,12 @@ vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::ReduceStrips(vtkPBoneDecimate* ru
   vtkPolyData* joined, const Strips& strips, const Plan& plan, double triangles)
 {
   this->Order(run, triangles, plan);
-  run->SetPart(bonedecimate::TakeRim(joined), {});
-  const EdgesOfPart cuts = bonedecimate::TakeCuts(joined);
+  run->Internal->SetPart(bonedecimate::TakeRim(joined), {});
+  const Internals::EdgesOfPart cuts = bonedecimate::TakeCuts(joined);
   if (plan.ProvesError)
   {
-    const EdgesOfPart originalCuts = bonedecimate::TakeCuts(strips.Original);
-    run->SetOriginalOfPart(strips.Original, cuts, originalCuts);
+    const Internals::EdgesOfPart originalCuts = bonedecimate::TakeCuts(strips.Original);
+    run->Internal->SetOriginalOfPart(strips.Original, cuts, originalCuts);
   }
   run->SetMergePoints(true); // that is what joins them
   run->SetMakeMaps(true);
@@ -227,7 +228,7 @@ vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::ReduceStrips(vtkPBoneDecimate* ru
   const bool isDone = this->Run(run, joined, nullptr);
   if (!isDone || run->GetProvedError() > plan.Error)
   {
-    run->TakeReport(*vtkSmartPointer<vtkPBoneDecimate>::New());
+    run->Internal->TakeReport(*vtkSmartPointer<vtkPBoneDecimate>::New());
     return joined;
   }
   vtkPolyData* reduced = run->GetOutput();

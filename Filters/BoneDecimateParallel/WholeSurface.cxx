@@ -57,7 +57,7 @@ bool vtkPBoneDecimate::SmoothTogether(vtkPolyData* input, Plan& plan)
   std::vector<double> points;
   if (plan.Whole)
   {
-    points = this->SmoothPoints(plan.Whole);
+    points = this->Internal->SmoothPoints(plan.Whole);
   }
   const bool isDone = this->IsTrueAnywhere(!points.empty());
   if (!isDone)
@@ -88,7 +88,7 @@ void vtkPBoneDecimate::CompareVoxelsTogether(vtkPolyData* output, Plan& plan)
 {
   if (plan.VoxelSize > 0.0)
   {
-    if (this->Prunes())
+    if (this->Internal->Prunes())
     {
       plan.Whole = nullptr; // as on one process, what was pruned counts
     }
@@ -97,13 +97,13 @@ void vtkPBoneDecimate::CompareVoxelsTogether(vtkPolyData* output, Plan& plan)
       bonedecimate::GatheredAt(0, output, this->Controller);
     if (result)
     {
-      this->CompareVoxels(plan.Whole, result, plan.GuardsVoxels);
+      this->Internal->CompareVoxels(plan.Whole, result, plan.GuardsVoxels);
     }
   }
-  std::vector<char> figures = this->FiguresOfSegmentation();
+  std::vector<char> figures = this->Internal->FiguresOfSegmentation();
   vtkIdType length = static_cast<vtkIdType>(figures.size());
   this->Controller->Broadcast(&length, 1, 0);
   figures.resize(static_cast<std::size_t>(length));
   this->Controller->Broadcast(figures.data(), length, 0);
-  this->TakeFiguresOfSegmentation(figures);
+  this->Internal->TakeFiguresOfSegmentation(figures);
 }

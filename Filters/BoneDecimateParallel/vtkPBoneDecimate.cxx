@@ -145,6 +145,7 @@ void vtkPBoneDecimate::PassProgress(
   vtkObject* caller, unsigned long vtkNotUsed(event), void* vtkNotUsed(data))
 {
   auto* run = static_cast<vtkPBoneDecimate*>(caller);
+  this->SetProgressText(run->GetProgressText());
   this->UpdateProgress(run->GetProgress());
   run->SetAbortExecute(this->GetAbortExecute());
 }
@@ -154,9 +155,9 @@ int vtkPBoneDecimate::RunAlone(
   vtkPolyData* input, vtkPolyData* reference, vtkInformationVector* outputVector)
 {
   vtkNew<vtkPBoneDecimate> run;
-  run->CopyOptions(*this);
+  run->Internal->CopyOptions(*this);
   const bool isDone = this->Run(run, input, reference);
-  this->TakeReport(*run);
+  this->Internal->TakeReport(*run);
   vtkPolyData::GetData(outputVector, 0)->ShallowCopy(run->GetOutput());
   vtkPolyData::GetData(outputVector, 1)->ShallowCopy(run->GetOutputDataObject(1));
   return isDone ? 1 : 0;
@@ -193,7 +194,7 @@ std::vector<std::string> vtkPBoneDecimate::KindsOfRun(
 bool vtkPBoneDecimate::AcceptOptions(vtkPolyData* input, vtkPolyData* reference, double voxelSize)
 {
   std::vector<std::string> arrays;
-  if (this->HasInputArray(LABEL_ARRAY))
+  if (this->Internal->HasInputArray(LABEL_ARRAY))
   {
     arrays.emplace_back("LabelArrayName");
   }
@@ -210,7 +211,8 @@ bool vtkPBoneDecimate::AcceptOptions(vtkPolyData* input, vtkPolyData* reference,
 int vtkPBoneDecimate::RunTogether(
   vtkPolyData* input, vtkPolyData* reference, double voxelSize, vtkInformationVector* outputVector)
 {
-  this->TakeReport(*vtkSmartPointer<vtkPBoneDecimate>::New()); // forgets that of an earlier run
+  this->Internal->TakeReport(
+    *vtkSmartPointer<vtkPBoneDecimate>::New()); // forgets that of an earlier run
   if (!this->AcceptOptions(input, reference, voxelSize))
   {
     return 0;
@@ -224,7 +226,8 @@ int vtkPBoneDecimate::RunTogether(
   }
   input = kept;
   const double diagonal = this->WholeDiagonal(input);
-  if (std::isfinite(diagonal) && !this->AcceptSize(diagonal, this->LargestErrorOf(voxelSize)))
+  if (std::isfinite(diagonal) &&
+    !this->Internal->AcceptSize(diagonal, this->Internal->LargestErrorOf(voxelSize)))
   {
     return 0;
   }
@@ -249,12 +252,12 @@ int vtkPBoneDecimate::RunTogether(
   output->ShallowCopy(run->GetOutput());
   inputCopy->ShallowCopy(run->GetOutputDataObject(1));
   plan.Proved = this->ProvedByAll(run);
-  this->AddRun(*run);
+  this->Internal->AddRun(*run);
   if (plan.ReducesStrips)
   {
     this->ReduceSharedStrips(input, plan, output, inputCopy);
   }
-  else if (this->Prunes())
+  else if (this->Internal->Prunes())
   {
     this->FillInputCopy(unpruned, { output }, inputCopy);
   }

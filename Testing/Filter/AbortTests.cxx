@@ -4,6 +4,7 @@
 #include "FilterRun.h"
 #include "Shapes.h"
 #include "VtkSurfaces.h"
+#include "vtkDoubleArray.h"
 
 #include <gtest/gtest.h>
 
@@ -128,6 +129,40 @@ TEST(Abort, WhileMeasuringTheInputLeavesNoHalfMeasuredArray)
       ASSERT_NEAR(distances[i], expected[i], 1e-5) << "point " << i;
     }
   }
+}
+
+TEST(Abort, LeavesAProofStatusOfItsOwn)
+{
+  FilterRun aborted(Bumps(4));
+  aborted->SetMaximumError(0.2);
+  aborted.AbortAt(0.3);
+  aborted.Output();
+  EXPECT_EQ(aborted->GetProofStatus(), vtkBoneDecimate::PROOF_ABORTED);
+  EXPECT_EQ(aborted->GetProofStatusAsString(), "aborted");
+  EXPECT_EQ(aborted->GetReportText("proof.status"), "aborted");
+  EXPECT_TRUE(std::isnan(aborted->GetProvedError()));
+  FilterRun unlimited(Bumps(3));
+  unlimited.AbortAt(0.3);
+  unlimited.Output();
+  EXPECT_EQ(unlimited->GetProofStatus(), vtkBoneDecimate::NO_PROOF);
+}
+
+TEST(Abort, OfRegionsLeavesAProofStatusOfItsOwn)
+{
+  const vtkSmartPointer<vtkPolyData> input = Bumps(5);
+  vtkNew<vtkDoubleArray> tolerances;
+  tolerances->SetName("Tolerance");
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    tolerances->InsertNextValue(input->GetPoint(i)[0] > 8.0 ? 0.2 : 0.0);
+  }
+  input->GetPointData()->AddArray(tolerances);
+  FilterRun run(input);
+  run->SetToleranceArrayName("Tolerance");
+  run.AbortAt(0.5);
+  run.Output();
+  EXPECT_EQ(run->GetReportText("stop_reason"), "aborted");
+  EXPECT_EQ(run->GetProofStatus(), vtkBoneDecimate::PROOF_ABORTED);
 }
 
 TEST(Abort, TheNextRunIsWholeAgain)

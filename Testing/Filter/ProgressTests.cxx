@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 using namespace bonedecimate::testsupport;
 
@@ -54,6 +55,23 @@ TEST(Progress, WithoutMeasuringGoesUpInStepsOfAtMostOnePercent)
   run->SetTargetNumberOfTriangles(500);
   run.Output();
   ExpectSteady(run);
+}
+
+TEST(Progress, IsOneEventPerPercentWithAText)
+{
+  for (const double error : { 0.0, 0.2 })
+  {
+    FilterRun run(Bumps(5));
+    run->MeasureDistancesOn();
+    run->SetMaximumError(error);
+    std::string text;
+    run.OnEachProgress = [&](double fraction)
+    { text = fraction > 0.0 ? run->GetProgressText() : ""; };
+    run.Output();
+    EXPECT_LE(run.Progress.size(), 103U) << "with those of VTK at the start and at the end";
+    EXPECT_GE(run.Progress.size(), 100U);
+    EXPECT_EQ(text, "Simplifying the surface");
+  }
 }
 
 TEST(Progress, NeverGoesBackWithSeveralThreads)

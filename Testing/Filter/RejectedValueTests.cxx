@@ -3,6 +3,7 @@
 // A value outside its range is an error event when it is set; the value before stays, and updates
 // fail with the same sentence until that property gets a valid value. PropertyTests.cxx does the
 // same for vtkBoneDecimate.
+#include "FilterRun.h"
 #include "LabelImages.h"
 #include "Options/Modes.h"
 #include "RejectionWalk.h"
@@ -53,6 +54,23 @@ vtkSmartPointer<vtkPolyData> WithArray(const char* name, double valueOfPoint5)
   surface->GetPointData()->AddArray(array);
   return surface;
 }
+}
+
+TEST(ErrorCode, SaysWhyAnUpdateFailedAndIsGoneAfterTheNext)
+{
+  FilterRun run(Bumps(3));
+  run.Output();
+  EXPECT_EQ(run->GetErrorCode(), 0U);
+  run->SetMaximumError(-1.0);
+  run.Output();
+  EXPECT_EQ(run->GetErrorCode(), static_cast<unsigned long>(vtkBoneDecimate::REJECTED_VALUE));
+  run->SetMaximumError(0.2);
+  run->SetToleranceArrayName("Nothing");
+  run.Output();
+  EXPECT_EQ(run->GetErrorCode(), static_cast<unsigned long>(vtkBoneDecimate::REJECTED_RUN));
+  run->SetToleranceArrayName("");
+  run.Output();
+  EXPECT_EQ(run->GetErrorCode(), 0U);
 }
 
 TEST(RejectedValues, OfTheSurfaceDistance)

@@ -39,7 +39,7 @@ struct ProvedDistance
 /// The certificate of the result as it is written.
 struct ErrorProof
 {
-  bool WasMade = false;   ///< If false, all other members are meaningless.
+  bool WasMade = false;   ///< If false, all other members but an aborted status are meaningless.
   ProofStatus Status{};   ///< For everything that was compared.
   double Tolerance = 0.0; ///< mm, the error to prove for all points; 0: none.
   ProvedDistance InputToOutput;

@@ -279,7 +279,10 @@ Result DecimateWhole(
     CheckVoxels(task, progress, result);
     Prove(task, prepared, progress, result);
     ListLeftOut(input, prepared.Cleaned, prepared.Tolerances.ReferenceSurface(), inputs, result);
-    report.Stop = progress.ShouldContinue() ? report.Stop : StopReason::Aborted;
+    if (!progress.ShouldContinue())
+    {
+      MarkAborted(EndsWithProof(task), report);
+    }
   }
   report.Seconds.Total = clock.Seconds();
   return result;

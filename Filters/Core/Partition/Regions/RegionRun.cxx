@@ -285,7 +285,10 @@ private:
       report.Labels = AreasOfLabels(whole, this->Parts, *this->Inputs.Labels);
     }
     report.Regions.Status = RegionStatus::Used;
-    report.Stop = isAborted ? StopReason::Aborted : report.Stop;
+    if (isAborted)
+    {
+      MarkAborted(this->WantsProof, report);
+    }
     report.Seconds.Decimate = report.Seconds.Prepare + report.Seconds.Collapse;
     this->Progress.Stage(JoinedFrom, 1.0)(1.0);
     report.Seconds.Total = this->Clock.Seconds();

@@ -203,6 +203,8 @@ const char* ProofStatusWord(ProofStatus status)
       return "proved";
     case ProofStatus::Violated:
       return "violated";
+    case ProofStatus::Aborted:
+      return "aborted";
     case ProofStatus::Undecided:
       break;
   }

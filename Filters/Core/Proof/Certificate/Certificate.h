@@ -45,7 +45,8 @@ enum class ProofStatus : int
   NotRequested = 0, ///< There is no tolerance.
   Proved,           ///< The distance of every point is within its tolerance.
   Violated,         ///< The distance of at least one point exceeds its tolerance.
-  Undecided         ///< Neither was shown within MaxCuts or the limits of rounding.
+  Undecided,        ///< Neither was shown within MaxCuts or the limits of rounding.
+  Aborted           ///< The run was aborted before its proof.
 };
 
 /// The largest distance from one set to another, mm, or the largest excess of distance over

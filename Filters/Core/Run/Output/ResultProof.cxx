@@ -146,6 +146,15 @@ bool WantsProof(const Options& options, bool hasTolerances)
   return options.ProveResult && (options.BoundsError() || (hasTolerances && options.ProvesError()));
 }
 
+void MarkAborted(bool wantsProof, Report& report)
+{
+  report.Stop = StopReason::Aborted;
+  if (wantsProof && !report.Proof.WasMade)
+  {
+    report.Proof.Status = ProofStatus::Aborted;
+  }
+}
+
 void ProveResult(const Surface& input, const CleanSurface& cleaned, const Options& options,
   const Monitor& monitor, Result& output, const std::vector<double>* tolerances,
   const KeptSurface* reference)

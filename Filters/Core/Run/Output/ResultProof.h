@@ -44,6 +44,9 @@ inline ProofStatus WorseOf(ProofStatus one, ProofStatus other)
 /// Whether a run ends with its proof.
 bool WantsProof(const Options& options, bool hasTolerances);
 
+/// The run was aborted: a proof that it should have had is missing.
+void MarkAborted(bool wantsProof, Report& report);
+
 /**
  * Fills in the proof in the report and the bounds at points. Without an error or tolerances there
  * are bounds and no proof status. Surfaces that the certificate cannot compare are undecided.

@@ -347,6 +347,11 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
   {
     AddProof(entries, report);
   }
+  else if (report.Proof.Status == ProofStatus::Aborted)
+  {
+    entries.push_back({ "proof.status", "", std::string(ProofStatusWord(ProofStatus::Aborted)) });
+    entries.push_back({ "proof.sentence", "", std::string("nothing: the run was aborted") });
+  }
   if (report.FragmentGapMeasured)
   {
     entries.push_back({ "fragment_gap.input", "mm", report.Gap.Input });
