@@ -7,7 +7,7 @@
 >>> small.points, small.triangles, small.proved_error
 
 Importing this needs numpy only. `bonedecimate.vtkBoneDecimate`, the same filter for VTK pipelines, imports the VTK that is
-there; PyVista finds `mesh.bone` by itself.
+there; PyVista finds `mesh.bone` by itself. For type checkers, which take that for Any, ``BoneAccessor(mesh)`` is the same.
 """
 
 from typing import TYPE_CHECKING
@@ -17,15 +17,17 @@ from .arrays import Aborted, Certificate, Result, certify, decimate, smooth
 from .label_maps import LabelSurfaces, extract_label, extract_surfaces
 from .label_pieces import PieceChanges, change_pieces
 from .levels import Levels, open_levels, record_levels
+from .report import Report
 from .segments import Segment, Segments, segments
 from .voxel_check import LabelChanges, VoxelChanges, check_voxels
 from .voxels import LabelMap, VoxelGrid
 
 if TYPE_CHECKING:
+    from .pyvista_accessor import BoneAccessor, BoneImageAccessor
     from .vtk_filter import vtkBoneDecimate
 
 __all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces", "Levels", "PieceChanges", "PreparedSurface",
-           "Result", "Segment", "Segments", "StopReason", "VoxelChanges", "VoxelGrid", "__version__", "certify", "change_pieces", "check_voxels", "decimate",
+           "Report", "Result", "Segment", "Segments", "StopReason", "VoxelChanges", "VoxelGrid", "__version__", "certify", "change_pieces", "check_voxels", "decimate",
            "extract_label", "extract_surfaces", "open_levels", "record_levels", "segments", "smooth", "vtkBoneDecimate"]
 
 # Classes of the package that is built with VTK, and what does the same here.
@@ -41,6 +43,9 @@ def __getattr__(name: str):
     if name == "vtkBoneDecimate":
         from .vtk_filter import vtkBoneDecimate
         return vtkBoneDecimate
+    if name in ("BoneAccessor", "BoneImageAccessor"):
+        from . import pyvista_accessor
+        return getattr(pyvista_accessor, name)
     if name in _BUILT_WITH_VTK:  # an AttributeError would lose its text in "from bonedecimate import ..."
         same = _BUILT_WITH_VTK[name]
         name_here = same if same and same.startswith("mesh.") else f"bonedecimate.{same}"

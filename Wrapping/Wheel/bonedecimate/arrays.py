@@ -5,21 +5,25 @@
 from __future__ import annotations
 
 import math
+import os
+import pathlib
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
+from . import _core, files
 from .options import keyword, number, read, spell_sentences, switch, takes_options, thread_count
 from .label_maps import extract_label
 from .progress import Aborted, Progress, listener
+from .report import Report
 from .surfaces import Surface, edge_lengths_from, input_from, labels_from, surface_from, tolerances_from, warn
 from .voxel_check import Comparison, VoxelChanges, with_label_map
 from .voxels import SurfaceSource, VoxelGrid
 
 if TYPE_CHECKING:
+    import pyvista
     from typing_extensions import Unpack
 
     from ._keywords import ArrayOptions, SmoothOptions
@@ -52,7 +56,7 @@ class Result:
     grid: VoxelGrid | None  #: of the label map; None if it is not known
     stop_reason: _core.StopReason  #: why the run ended
     warnings: list[str]  #: defects of the input that were repaired, a sentence each
-    report: dict[str, int | float | str]  #: the report by name, "distance.output_to_input.max"
+    report: Report  #: the report by name, "distance.output_to_input.max"; printed, it is a table
     units: dict[str, str]  #: of each entry of the report that has one
     report_as_json: str  #: the report as one text, as `Documentation/report.schema.json` describes it
     rejected_edits: int  #: how many edits were rejected, for all reasons together
@@ -65,8 +69,10 @@ class Result:
         self.labels = np.empty(0, np.int64)
         self.points = outcome["points"].astype(np.float32) if single else outcome["points"]
         self.stop_reason = outcome["stop"]
-        self.report, self.units = _named(outcome["entries"])
+        self.report = _named(outcome["entries"])
+        self.units = self.report.units
         self.report_as_json = outcome["json"]
+        self.report_of_surface = outcome["entries_of_surface"], outcome["json_of_surface"]  # as meshes carry it
         self.grid = source and source.grid
         self.label_values = source.label_values if source else np.empty(0, np.int64)
         self.boundary_labels = source.values_of(outcome["boundary_labels"]) if source else np.empty((0, 2), np.int64)
@@ -74,6 +80,30 @@ class Result:
     def label(self, value: int) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Points and triangles of the closed surface of one label, as `extract_label` gives them. Needs boundary labels."""
         return extract_label(self.points, self.triangles, self.boundary_labels, value)
+
+    def to_pyvista(self) -> pyvista.PolyData:
+        """A mesh with the arrays of the result and its report, as `mesh.bone.decimate` returns it. `pyvista.wrap` takes no other
+        types than its own; ``pyvista.PolyData.from_regular_faces(*result)`` is the surface alone."""
+        import pyvista
+
+        from .result_mesh import mesh_of
+        return pyvista.wrap(mesh_of(self))
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the surface: .vtp and .vtk with arrays and report, .stl, .ply and .obj without, as VTK writes them. Without VTK
+        those of meshio, or binary STL.
+
+        Raises OSError for an ending that is none of them, and if the file could not be written; ValueError if the format would
+        round the points (give ``precision="Single"`` to the run).
+        """
+        target = pathlib.Path(path)
+        if target.suffix.lower() in files.SINGLE and not np.array_equal(self.points, self.points.astype(np.float32)):
+            raise ValueError(f"{target.suffix} holds single precision, and the points are double: run with precision=\"Single\"")
+        if files.has("vtkmodules.vtkIOGeometry"):
+            from .result_mesh import mesh_of
+            files.write_vtk(mesh_of(self), target)
+        else:
+            files.write((self.points, self.triangles), target)
 
     @property
     def proved_error(self) -> float:
@@ -88,7 +118,7 @@ class Result:
 
     @property
     def proof_status(self) -> str:
-        """Whether the largest error is proved: "not_requested", "proved", "violated" or "undecided"."""
+        """Whether the largest error is proved: "not_requested", "proved", "violated", "undecided" or "aborted"."""
         return self.report.get("proof.status", "not_requested")
 
     def __iter__(self) -> Iterator[NDArray]:
@@ -112,7 +142,7 @@ class Certificate:
     result_distance: NDArray[np.float64]  #: of each point of the other surface, negative inside of the reference
     reference_side: NDArray[np.int8]  #: 1 outside, -1 inside, 0 on it or undecided
     result_side: NDArray[np.int8]
-    report: dict[str, int | float | str]  #: by name, "reference_to_result.upper"
+    report: Report  #: by name, "reference_to_result.upper"; printed, it is a table
     units: dict[str, str]
     report_as_json: str  #: the same as one text, as `Documentation/certificate.schema.json` describes it
     voxels: VoxelChanges | None  #: voxels of the label map to which the other surface gives another label; None without `label_map`
@@ -120,7 +150,8 @@ class Certificate:
     def __init__(self, outcome: dict, voxels: VoxelChanges | None = None) -> None:
         self.voxels = voxels
         entries = outcome["entries"] + (voxels.entries() if voxels else [])
-        self.report, self.units = _named(entries)
+        self.report = _named(entries)
+        self.units = self.report.units
         self.report_as_json = _core.report_json(entries)
         self.status, self.lower, self.upper = (self.report[name] for name in ("status", "lower", "upper"))
         for which in ("reference", "result"):
@@ -382,5 +413,5 @@ def raise_problems(outcome: dict) -> None:
         raise RuntimeError(outcome["contradiction"])
 
 
-def _named(entries: list[tuple[str, str, int | float | str]]) -> tuple[dict, dict]:
-    return {name: value for name, _, value in entries}, {name: unit for name, unit, _ in entries if unit}
+def _named(entries: list[tuple[str, str, int | float | str]]) -> Report:
+    return Report({name: value for name, _, value in entries}, {name: unit for name, unit, _ in entries if unit})

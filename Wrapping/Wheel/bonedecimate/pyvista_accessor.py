@@ -23,6 +23,7 @@ from .levels import Levels, open_levels, record_levels
 from .options import number, read, switch, takes_options, unsupported, words
 from .polydata import surface_of
 from .progress import Progress, listener
+from .report import Report
 from .run import fill_input_copy, fill_output, run, set_report
 from .surface_report import report_of
 from .surfaces import edge_lengths_from, labels_from, surface_from, tolerances_from, warn
@@ -267,7 +268,9 @@ class BoneAccessor:
 
         Field data: the certificate, proved bounds of the largest distance in each direction and of the boundaries.
         """
-        certificate = self.certify(other, **keywords)
+        return self._with_distances(self.certify(other, **keywords))
+
+    def _with_distances(self, certificate: Certificate) -> pv.PolyData:
         copy = self._mesh.copy()
         copy.point_data[ERROR] = certificate.reference_distance
         copy.point_data[SIDE] = certificate.reference_side
@@ -283,25 +286,29 @@ class BoneAccessor:
         Parameters
         ----------
         largest : float, mm, optional
-            At which the colors end in both directions; the largest that there is by default.
+            At which the colors end in both directions; by default the proved largest distance, which the picture names.
         """
         limit = None if largest is None else number("largest", largest, 0, 1e30, "mm")
-        measured = self.distance_to(other)
-        end = limit or float(np.nanmax(np.abs(measured[ERROR]), initial=0.0)) or 1.0
-        settings = {"scalars": ERROR, "clim": (-end, end), "cmap": "coolwarm",
-                    "scalar_bar_args": {"title": "distance, mm"}}
+        certificate = self.certify(other)
+        measured = self._with_distances(certificate)
+        bound = f"{np.ceil(certificate.upper * 1e4) / 1e4:.4f}"  # no less than the proved one
+        end = limit or float(bound) or 1.0
+        # The empty line keeps the title above the numbers.
+        settings = {"scalars": ERROR, "clim": (-end, end), "cmap": "coolwarm", "text": f"at most {bound} mm, proved",
+                    "scalar_bar_args": {"title": "distance, mm\n", "n_labels": 5, "fmt": "%.4g"}}
         return measured.plot(**{**settings, **keywords})
 
     @property
-    def report(self) -> dict[str, int | float | str]:
-        """The report of the run that made this surface, by name ("output.triangles"); empty if there was none.
+    def report(self) -> Report:
+        """The report of the run that made this surface, by name ("output.triangles"); empty if there was none. Printed, it is a
+        table.
 
         A proof belongs to one surface. If this one is not the one that was proved, because it was smoothed, scaled or clipped
         since, ``proof.sentence`` says so and the other entries of the proof are missing.
         """
         report = report_of(self._mesh)
-        report.pop("units", None)
-        return dict(_flat("", report))
+        units = {name.replace("proof.if_unchanged.", "proof."): unit for name, unit in report.pop("units", {}).items()}
+        return Report(dict(_flat("", report)), units)
 
 
 @pv.register_dataset_accessor("bone", pv.ImageData)

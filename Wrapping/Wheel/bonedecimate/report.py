@@ -1,10 +1,44 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers of a report as text."""
+"""Reports, and their numbers as text."""
 
 from __future__ import annotations
 
+import difflib
+import html
 import math
+from collections.abc import Iterator, Mapping
+
+
+class Report(dict[str, "int | float | str"]):
+    """A report by name, "proof.upper"; printed, it is a table."""
+
+    units: dict[str, str]  #: of each entry that has one
+
+    def __init__(self, entries: Mapping[str, int | float | str] = {}, units: Mapping[str, str] = {}) -> None:
+        super().__init__(entries)
+        self.units = {name: unit for name, unit in units.items() if name in self}
+
+    def __missing__(self, name: str) -> int | float | str:
+        meant = difflib.get_close_matches(str(name), self, 1)
+        raise KeyError(f"the report has no entry '{name}'" + (f"; did you mean '{meant[0]}'?" if meant else ""))
+
+    def _rows(self) -> Iterator[tuple[str, str, str]]:
+        for name, value in self.items():
+            yield name, number_text(value) if isinstance(value, float) else str(value), self.units.get(name, "")
+
+    def __str__(self) -> str:
+        width = max(map(len, self), default=0)
+        return "\n".join(f"{name:{width}}  {value} {unit}".rstrip() for name, value, unit in self._rows())
+
+    def _repr_html_(self) -> str:
+        """For notebooks. The options of the run are folded."""
+        tables = {False: "", True: ""}
+        for name, *cells in self._rows():
+            tables[name.startswith("options.")] += (
+                f"<tr><td style='text-align:left'>{html.escape(name)}</td>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in cells) + "</tr>")
+        options = f"<details><summary>options</summary><table>{tables[True]}</table></details>" if tables[True] else ""
+        return f"<table>{tables[False]}</table>{options}"
 
 
 def number_text(value: float) -> str:

@@ -22,7 +22,7 @@ from .surface_report import checksum_of
 from .surfaces import surface_from
 from .voxel_check import Comparison, source_with
 
-PROOF_STATUSES = ("not_requested", "proved", "violated", "undecided")
+PROOF_STATUSES = ("not_requested", "proved", "violated", "undecided", "aborted")
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
 
 
@@ -125,11 +125,11 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
         return self.GetReportValue("proof.upper")
 
     def GetProofStatus(self) -> int:
-        """Whether the largest error is proved: NO_PROOF, PROVED, VIOLATED or UNDECIDED."""
+        """Whether the largest error is proved: NO_PROOF, PROVED, VIOLATED, UNDECIDED or PROOF_ABORTED."""
         return PROOF_STATUSES.index(self.GetProofStatusAsString())
 
     def GetProofStatusAsString(self) -> str:
-        """The same in one word: "not_requested", "proved", "violated" or "undecided"."""
+        """The same in one word: "not_requested", "proved", "violated", "undecided" or "aborted"."""
         return self.GetReportText("proof.status") or PROOF_STATUSES[0]
 
     def GetMeasuredError(self) -> float:
@@ -373,7 +373,7 @@ for _name in ("ProvedError", "ProofStatus", "ProofStatusAsString", "MeasuredErro
     _add_getter(_name)
 for _mode in _core.Mode:
     _add_mode(_mode)
-for _value, _name in enumerate(("NO_PROOF", "PROVED", "VIOLATED", "UNDECIDED")):
+for _value, _name in enumerate(("NO_PROOF", "PROVED", "VIOLATED", "UNDECIDED", "PROOF_ABORTED")):
     setattr(vtkBoneDecimate, _name, _value)
 vtkBoneDecimate.TOLERANCE_ARRAY, vtkBoneDecimate.LABEL_ARRAY = 0, 1
 for _enumeration in (_core.Mode, _core.ErrorPreset, _core.KeepVoxels, _core.StopReason):
