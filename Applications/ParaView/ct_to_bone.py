@@ -5,7 +5,7 @@
     pvpython ct_to_bone.py PLUGIN.so CT.mha FOLDER [ISO] [MAXIMUM_ERROR]
 
 PLUGIN.so is the plugin BoneDecimate; ISO is the contour value, 226 HU by default; MAXIMUM_ERROR is in mm, 0.3 by default. Into
-FOLDER go bone.vtp, bone.png (colored by the proved bound of the error, mm) and bone.pvsm.
+FOLDER go bone.vtp, bone.png (colored by the distance to the contour, mm) and bone.pvsm.
 """
 
 import pathlib
@@ -24,13 +24,13 @@ def bone_of(ct, iso, error):
 
 
 def show(bone, picture):
-    """Renders the bone, colored by how far it may be from the contour, and its edges."""
+    """Renders the bone, colored by its distance to the contour, and its edges."""
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [1000, 800]
     view.OrientationAxesVisibility = 0
     shown = simple.Show(bone, view)
     shown.SetRepresentationType("Surface With Edges")
-    simple.ColorBy(shown, ("POINTS", "ErrorBound (mm)"))
+    simple.ColorBy(shown, ("POINTS", "Distance (mm)"))
     shown.SetScalarBarVisibility(view, True)
     view.ResetActiveCameraToNegativeY()
     simple.ResetCamera(view)

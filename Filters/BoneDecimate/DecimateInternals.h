@@ -27,6 +27,18 @@ class FilterProgress;
 class RegionCache;
 struct LabelMapRequest;
 struct Result;
+
+/// How parts become one surface.
+struct MeetingOfParts
+{
+  /// mm, where parts have common points: the same list in ascending order, each once, for all
+  /// parts.
+  std::vector<std::array<double, 3>> Shared;
+  std::array<double, 3> Origin = {}; ///< mm, the same for all parts.
+  /// Receives numbers of this part and returns those of all parts in their order. Called once.
+  std::function<std::vector<std::vector<double>>(const std::vector<double>&)> Exchange;
+  int Own = 0; ///< The number of this part in that order.
+};
 }
 
 class VTKFILTERSBONEDECIMATE_EXPORT vtkBoneDecimate::Internals
@@ -84,18 +96,15 @@ public:
   using Numbers = std::vector<double>;
 
   /// Finds components of the whole surface that are too small (PruneSize and so on).
-  /// @param shared mm, where parts have common points: the same list in ascending order, each once,
-  ///   for all parts.
-  /// @param origin mm, the same for all parts.
-  /// @param exchange Called once. Receives numbers of this part and returns those of all parts in
-  ///   their order.
-  /// @param own The number of this part in that order.
   /// @param pruned Receives for each cell of the part whether its component goes.
   /// @return False if nothing would be left; the reason has been reported.
-  bool FindPrunedCells(vtkPolyData* part, const std::vector<std::array<double, 3>>& shared,
-    const std::array<double, 3>& origin,
-    const std::function<std::vector<Numbers>(const Numbers&)>& exchange, int own,
-    std::vector<bool>& pruned);
+  bool FindPrunedCells(
+    vtkPolyData* part, const bonedecimate::MeetingOfParts& meeting, std::vector<bool>& pruned);
+
+  /// Adds the number of components and the area of the whole surface to the entries of its report.
+  /// @param side "input" or "output"
+  void AddComponents(const std::string& side, vtkPolyData* part,
+    const bonedecimate::MeetingOfParts& meeting, std::map<std::string, double>& entries) const;
 
   /// Where the smoothing of the whole surface, which the options describe, puts its points: mm,
   /// three numbers of each.
@@ -150,9 +159,10 @@ public:
 
   /// The report of the whole surface: entries that are numbers, by name, among them the figures of
   /// the getters, and what FindPrunedCells(), SmoothPoints() and CompareVoxels() found.
+  /// @param stopReason,proofStatus StopReasons and ProofStatuses of the whole run.
   /// @param ofParts FiguresOfPart() of each part.
-  void SetReportOfParts(const std::map<std::string, double>& entries,
-    const std::vector<Numbers>& ofParts, vtkPolyData* output);
+  void SetReportOfParts(const std::map<std::string, double>& entries, int stopReason,
+    int proofStatus, const std::vector<Numbers>& ofParts, vtkPolyData* output);
   ///@}
 
   /// A run of a surface. @return As RequestData().

@@ -4,7 +4,6 @@
  * @file PartsOfSurface.cxx
  * @brief What vtkBoneDecimate offers to classes that simplify a surface in parts.
  */
-#include "FiguresOfParts.h"
 #include "FilterProgress.h"
 #include "Geometry/NearSurface.h"
 #include "LabelArrays.h"
@@ -13,7 +12,6 @@
 #include "Run/Input/ComponentCensus.h"
 #include "Run/Input/InputSize.h"
 #include "Run/Input/LabelMapInput.h"
-#include "Run/Report/ProofSentence.h"
 #include "Run/Report/SizeText.h"
 #include "RunInput.h"
 #include "RunState.h"
@@ -30,17 +28,6 @@
 namespace
 {
 using namespace bonedecimate;
-
-/// Whether the name is that of an entry that the report of a surface in parts has, beside its
-/// numbers.
-bool IsOfWhole(const std::string& name)
-{
-  static const char* const groups[] = { "smoothing.", "voxels.", "pruned.", "left_out.",
-    "rejections.", "draft.", "forced_collapses." };
-  return name == "proof.sentence" || name == "output.checksum" || name == "collapses" ||
-    std::any_of(std::begin(groups), std::end(groups),
-      [&name](const std::string& group) { return name.compare(0, group.size(), group) == 0; });
-}
 
 template <typename Value>
 void Append(std::vector<char>& bytes, const Value* values, std::size_t count)
@@ -329,43 +316,4 @@ bool vtkBoneDecimate::Internals::AcceptSize(double diagonal, double largestError
 void vtkBoneDecimate::Internals::TakeReport(const vtkBoneDecimate& from)
 {
   this->Filter->State->Keep(from.State->Report);
-}
-
-//------------------------------------------------------------------------------
-void vtkBoneDecimate::Internals::SetReportOfParts(const std::map<std::string, double>& entries,
-  const std::vector<Numbers>& ofParts, vtkPolyData* output)
-{
-  std::vector<ReportEntry> list;
-  for (const auto& [name, value] : entries)
-  {
-    const bool isError = name == "proof.upper";
-    list.push_back({ name, isError ? "mm" : "",
-      isError ? ReportValue(value) : static_cast<std::int64_t>(value) });
-  }
-  const auto of = [&entries](const char* name)
-  {
-    const auto found = entries.find(name);
-    return found == entries.end() ? 0.0 : found->second;
-  };
-  Report report;
-  report.Input.Faces = static_cast<std::int64_t>(of("input.triangles"));
-  report.Output.Faces = static_cast<std::int64_t>(of("output.triangles"));
-  report.Proof.WasMade = entries.count("proof.upper") > 0;
-  report.Proof.OutputToInput.Upper = of("proof.upper");
-  report.Requested = this->Filter->State->Options;
-  report.Pruned = this->Filter->State->Report.Pruned;
-  report.Smoothing = this->Filter->State->Report.Smoothing;
-  report.Voxels = this->Filter->State->Report.Voxels;
-  report.Proof.BoundariesCompared = true; // each part compared its own
-  TakeFiguresOfParts(ofParts, report);
-  for (const ReportEntry& entry : ReportEntries(report))
-  {
-    if (IsOfWhole(entry.Name))
-    {
-      list.push_back(entry);
-    }
-  }
-  this->Filter->State->Report = std::move(report);
-  this->Filter->State->Entries = NamedEntries(list);
-  SetReport(BoundToSurface(list), ArraysOfReport(), output->GetFieldData());
 }

@@ -12,19 +12,17 @@
 
 #include "vtkPolyData.h"
 
-bool vtkBoneDecimate::Internals::FindPrunedCells(vtkPolyData* part,
-  const std::vector<std::array<double, 3>>& shared, const std::array<double, 3>& origin,
-  const std::function<std::vector<Numbers>(const Numbers&)>& exchange, int own,
-  std::vector<bool>& pruned)
+bool vtkBoneDecimate::Internals::FindPrunedCells(
+  vtkPolyData* part, const bonedecimate::MeetingOfParts& meeting, std::vector<bool>& pruned)
 {
   using namespace bonedecimate;
   const Options& options = this->Filter->State->Options;
   const ConvertedSurface converted = ToSurface(part, options.NumberOfThreads);
-  const Vector3 common(origin[0], origin[1], origin[2]);
+  const Vector3 common(meeting.Origin[0], meeting.Origin[1], meeting.Origin[2]);
   const CensusOfPart census =
-    TakeCensus(converted.Surface, common, shared, options.NumberOfThreads);
+    TakeCensus(converted.Surface, common, meeting.Shared, options.NumberOfThreads);
   std::vector<CensusOfPart> parts;
-  for (const Numbers& numbers : exchange(NumbersOf(census)))
+  for (const Numbers& numbers : meeting.Exchange(NumbersOf(census)))
   {
     parts.push_back(CensusFrom(numbers));
   }
@@ -40,7 +38,7 @@ bool vtkBoneDecimate::Internals::FindPrunedCells(vtkPolyData* part,
     vtkErrorWithObjectMacro(this->Filter, << InputMessage(found));
     return false;
   }
-  const std::vector<Index>& whole = joined.OfComponent[static_cast<std::size_t>(own)];
+  const std::vector<Index>& whole = joined.OfComponent[static_cast<std::size_t>(meeting.Own)];
   for (std::size_t t = 0; t < census.OfTriangle.size(); ++t)
   {
     const Index component = census.OfTriangle[t];

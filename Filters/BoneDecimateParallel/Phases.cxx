@@ -199,20 +199,55 @@ void vtkPBoneDecimate::FillInputCopy(
 }
 
 //------------------------------------------------------------------------------
+/// Those at the points of all processes, if they were measured.
+/// @param direction "output_to_input" or "input_to_output"
+void vtkPBoneDecimate::AddDistances(
+  vtkPolyData* surface, const std::string& array, const std::string& direction, Plan& plan) const
+{
+  vtkDataArray* distances = surface->GetPointData()->GetArray(array.c_str());
+  double largest = 0.0;
+  double sum = 0.0;
+  const vtkIdType count = distances != nullptr ? distances->GetNumberOfTuples() : 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    largest = std::max(largest, distances->GetComponent(i, 0));
+    sum += distances->GetComponent(i, 0);
+  }
+  largest = this->OfAll(largest, vtkCommunicator::MAX_OP);
+  sum = this->OfAll(sum, vtkCommunicator::SUM_OP);
+  const double points = this->OfAll(static_cast<double>(count), vtkCommunicator::SUM_OP);
+  if (points > 0.0)
+  {
+    plan.Figures["distance." + direction + ".max"] = largest;
+    plan.Figures["distance." + direction + ".mean"] = sum / points;
+  }
+}
+
+//------------------------------------------------------------------------------
 /// Reports on the whole surface, the same on every process.
-void vtkPBoneDecimate::Report(const Plan& plan, vtkPolyData* output)
+void vtkPBoneDecimate::Report(Plan& plan, vtkPolyData* output, vtkPolyData* inputCopy)
 {
   const double own = static_cast<double>(output->GetNumberOfPolys());
-  std::map<std::string, double> entries = { { "input.triangles", plan.Total },
-    { "output.triangles", this->OfAll(own, vtkCommunicator::SUM_OP) },
-    { "parallel.processes", this->Controller->GetNumberOfProcesses() },
-    { "parallel.shared_points", plan.SharedPoints },
-    { "parallel.strip_triangles_before", plan.StripsBefore },
-    { "parallel.strip_triangles_after", plan.StripsAfter } };
+  const double triangles = this->OfAll(own, vtkCommunicator::SUM_OP);
+  std::map<std::string, double>& figures = plan.Figures;
+  figures["input.triangles"] = plan.Total;
+  figures["output.triangles"] = triangles;
+  figures["parallel.processes"] = this->Controller->GetNumberOfProcesses();
+  figures["parallel.shared_points"] = plan.SharedPoints;
+  figures["parallel.strip_triangles_before"] = plan.StripsBefore;
+  figures["parallel.strip_triangles_after"] = plan.StripsAfter;
+  this->Internal->AddComponents("output", output, this->MeetingOf(output), figures);
+  this->AddDistances(output, this->GetDistanceArrayName(), "output_to_input", plan);
+  this->AddDistances(inputCopy, this->GetInputDistanceArrayName(), "input_to_output", plan);
   if (!std::isnan(plan.Proved))
   {
-    entries["proof.upper"] = plan.Proved;
+    figures["proof.upper"] = plan.Proved;
+    figures["proof.tolerance"] = plan.Error;
   }
-  this->Internal->SetReportOfParts(entries,
+  if (plan.StopReason != ABORTED && plan.Target > 0.0 && triangles <= plan.Target)
+  {
+    plan.StopReason = plan.Total <= plan.Target ? ALREADY_SATISFIED : TARGET_REACHED;
+  }
+  this->Internal->SetReportOfParts(figures, plan.StopReason, plan.ProofStatus,
     bonedecimate::AllNumbers(this->Internal->FiguresOfPart(output), this->Controller), output);
 }

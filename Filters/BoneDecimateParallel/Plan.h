@@ -13,6 +13,9 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <cmath>
+#include <map>
+#include <string>
 #include <vector>
 
 struct vtkPBoneDecimate::Plan
@@ -44,7 +47,10 @@ struct vtkPBoneDecimate::Plan
   bool ProvesError = false;
   /// With ProvesError: triangles of the input of other processes near this one.
   vtkSmartPointer<vtkPolyData> Neighbors;
-  double Proved = 0.0; ///< mm, of all phases so far; not a number without a proof.
+  double Proved = std::nan(""); ///< mm, of all phases so far; not a number without a proof.
+  int ProofStatus = 0;          ///< The worst of all phases so far, of ProofStatuses.
+  int StopReason = 0;           ///< Of StopReasons: ABORTED, or what ended the phases so far.
+  std::map<std::string, double> Figures; ///< Of the report.
   bool ReducesStrips = false;
   double StripsBefore = 0.0; ///< Triangles of the strips before and after phase 2.
   double StripsAfter = 0.0;

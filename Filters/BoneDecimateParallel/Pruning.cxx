@@ -51,6 +51,25 @@ vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::WithCellLabels(vtkPolyData* input
 }
 
 //------------------------------------------------------------------------------
+/// How the parts of all processes become one surface. Every process must call this.
+bonedecimate::MeetingOfParts vtkPBoneDecimate::MeetingOf(vtkPolyData* part) const
+{
+  bonedecimate::MeetingOfParts meeting;
+  meeting.Shared = bonedecimate::SharedPositions(part, this->Controller);
+  const bool isEmpty = part->GetNumberOfPoints() == 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double none = std::numeric_limits<double>::infinity();
+    meeting.Origin[static_cast<std::size_t>(axis)] =
+      this->OfAll(isEmpty ? none : part->GetBounds()[2 * axis], vtkCommunicator::MIN_OP);
+  }
+  meeting.Exchange = [this](const std::vector<double>& own)
+  { return bonedecimate::AllNumbers(own, this->Controller); };
+  meeting.Own = this->Controller->GetLocalProcessId();
+  return meeting;
+}
+
+//------------------------------------------------------------------------------
 /// What is left of this process's part. Null if nothing of any is; the reason has been reported.
 vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::PruneTogether(vtkPolyData* input)
 {
@@ -58,19 +77,7 @@ vtkSmartPointer<vtkPolyData> vtkPBoneDecimate::PruneTogether(vtkPolyData* input)
   {
     return input;
   }
-  const bool isEmpty = input->GetNumberOfPoints() == 0;
-  std::array<double, 3> low = {};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double none = std::numeric_limits<double>::infinity();
-    low[static_cast<std::size_t>(axis)] =
-      this->OfAll(isEmpty ? none : input->GetBounds()[2 * axis], vtkCommunicator::MIN_OP);
-  }
   std::vector<bool> pruned;
-  const bool isAnyLeft = this->Internal->FindPrunedCells(
-    input, bonedecimate::SharedPositions(input, this->Controller), low,
-    [this](const Internals::Numbers& own)
-    { return bonedecimate::AllNumbers(own, this->Controller); },
-    this->Controller->GetLocalProcessId(), pruned);
+  const bool isAnyLeft = this->Internal->FindPrunedCells(input, this->MeetingOf(input), pruned);
   return isAnyLeft ? bonedecimate::WithoutCells(input, pruned) : nullptr;
 }

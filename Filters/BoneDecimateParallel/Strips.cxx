@@ -199,8 +199,7 @@ void vtkPBoneDecimate::ReduceSharedStrips(
   }
   this->Controller->Broadcast(reduced, 0);
   plan.StripsAfter = static_cast<double>(reduced->GetNumberOfPolys());
-  plan.Proved = std::fmax(plan.Proved, this->ProvedByAll(run));
-  this->Internal->AddRun(*run);
+  this->AddRuns(run, plan);
   this->MeasureAnew(input, strips.Rest, reduced);
   this->FillInputCopy(plan.Unpruned, { strips.Rest, reduced }, inputCopy);
   const auto whole = isFirst ? bonedecimate::Join({ strips.Rest, reduced }) : strips.Rest;

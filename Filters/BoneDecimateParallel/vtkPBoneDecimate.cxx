@@ -18,6 +18,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -233,6 +234,7 @@ int vtkPBoneDecimate::RunTogether(
   }
   Plan plan = this->MakePlan(input, reference, voxelSize);
   plan.Unpruned = unpruned;
+  this->Internal->AddComponents("input", input, this->MeetingOf(input), plan.Figures);
   if (!this->SmoothTogether(input, plan))
   {
     return 0;
@@ -251,8 +253,7 @@ int vtkPBoneDecimate::RunTogether(
   vtkPolyData* inputCopy = vtkPolyData::GetData(outputVector, 1);
   output->ShallowCopy(run->GetOutput());
   inputCopy->ShallowCopy(run->GetOutputDataObject(1));
-  plan.Proved = this->ProvedByAll(run);
-  this->Internal->AddRun(*run);
+  this->AddRuns(run, plan);
   if (plan.ReducesStrips)
   {
     this->ReduceSharedStrips(input, plan, output, inputCopy);
@@ -264,7 +265,7 @@ int vtkPBoneDecimate::RunTogether(
   this->CompareVoxelsTogether(output, plan);
   output->GetCellData()->RemoveArray(bonedecimate::CellLabelsName);
   inputCopy->GetCellData()->RemoveArray(bonedecimate::CellLabelsName);
-  this->Report(plan, output);
+  this->Report(plan, output, inputCopy);
   return 1;
 }
 
@@ -275,6 +276,23 @@ double vtkPBoneDecimate::ProvedByAll(vtkPBoneDecimate* run) const
   const double proved = run->GetProvedError();
   const double most = this->OfAll(std::isnan(proved) ? -1.0 : proved, vtkCommunicator::MAX_OP);
   return most < 0.0 ? std::nan("") : most;
+}
+
+//------------------------------------------------------------------------------
+/// What the runs of a phase on all processes found. A run without triangles has no proof.
+void vtkPBoneDecimate::AddRuns(vtkPBoneDecimate* run, Plan& plan)
+{
+  const int status = run->GetProofStatus();
+  const bool isViolated = this->IsTrueAnywhere(status == VIOLATED) || plan.ProofStatus == VIOLATED;
+  const int worst = static_cast<int>(this->OfAll(status, vtkCommunicator::MAX_OP));
+  plan.ProofStatus = isViolated ? static_cast<int>(VIOLATED) : std::max(plan.ProofStatus, worst);
+  const int reason = run->GetStopReason();
+  const bool isAborted = this->IsTrueAnywhere(reason == ABORTED) || plan.StopReason == ABORTED;
+  const int ended =
+    static_cast<int>(this->OfAll(reason == ABORTED ? NOT_RUN : reason, vtkCommunicator::MAX_OP));
+  plan.StopReason = isAborted ? ABORTED : ended == NOT_RUN ? plan.StopReason : ended;
+  plan.Proved = std::fmax(plan.Proved, this->ProvedByAll(run));
+  this->Internal->AddRun(*run);
 }
 
 //------------------------------------------------------------------------------

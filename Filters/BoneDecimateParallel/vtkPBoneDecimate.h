@@ -26,9 +26,10 @@
  * surface. Components are pruned as those of the whole. Only smoothing and the comparison of voxels
  * need the memory of the whole surface on process 0.
  *
- * The report in the field data is then that of the whole surface and short: input.triangles,
- * output.triangles, proof.upper (mm), pruned.*, smoothing.*, voxels.* and parallel.*; the getters
- * have the same.
+ * The report in the field data is then that of the whole surface and shorter: stop_reason,
+ * triangles, components and area of both surfaces, proof.status, proof.upper and proof.sentence,
+ * distances of points (distance.*.max and .mean), pruned.*, smoothing.*, voxels.* and parallel.*.
+ * parallel.missing says what else the report of one process has. The getters have the same.
  *
  * On one process a vtkPolyData gives exactly what vtkBoneDecimate gives. The polydata in a
  * composite data set are taken as one surface, so that equal points of blocks hang together; the
@@ -47,7 +48,15 @@
 #include "vtkFiltersBoneDecimateParallelModule.h" // for export macro
 #include "vtkSmartPointer.h"                      // for surfaces
 
+#include <string> // for names
+#include <vector> // for choices of cells
+
 class vtkMultiProcessController;
+
+namespace bonedecimate
+{
+struct MeetingOfParts;
+}
 
 class VTKFILTERSBONEDECIMATEPARALLEL_EXPORT vtkPBoneDecimate : public vtkBoneDecimate
 {
@@ -88,6 +97,7 @@ private:
   int RunTogether(vtkPolyData* input, vtkPolyData* reference, double voxelSize,
     vtkInformationVector* outputVector);
   double ProvedByAll(vtkPBoneDecimate* run) const;
+  void AddRuns(vtkPBoneDecimate* run, Plan& plan);
 
   double WholeDiagonal(vtkPolyData* input) const;
   double TargetTriangles(double total, double error, bool isLimited) const;
@@ -96,6 +106,7 @@ private:
   std::vector<std::string> KindsOfRun(
     vtkPolyData* input, vtkPolyData* reference, double voxelSize) const;
   vtkSmartPointer<vtkPolyData> WithCellLabels(vtkPolyData* input);
+  bonedecimate::MeetingOfParts MeetingOf(vtkPolyData* part) const;
   vtkSmartPointer<vtkPolyData> PruneTogether(vtkPolyData* input);
   Plan MakePlan(vtkPolyData* input, vtkPolyData* reference, double voxelSize);
   void GatherWhole(vtkPolyData* input, Plan& plan);
@@ -114,7 +125,9 @@ private:
   void MeasureAnew(vtkPolyData* input, vtkPolyData* rest, vtkPolyData* reduced);
   void FillInputCopy(
     vtkPolyData* input, const std::vector<vtkPolyData*>& result, vtkPolyData* inputCopy);
-  void Report(const Plan& plan, vtkPolyData* output);
+  void AddDistances(
+    vtkPolyData* surface, const std::string& array, const std::string& direction, Plan& plan) const;
+  void Report(Plan& plan, vtkPolyData* output, vtkPolyData* inputCopy);
 
   vtkMultiProcessController* Controller = nullptr;
 };

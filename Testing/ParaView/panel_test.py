@@ -43,6 +43,24 @@ class Panel(unittest.TestCase):
                 else:
                     self.assertEqual(value, words.get(text, text))
 
+    def test_eight_properties_come_first_and_all_others_are_in_a_group(self):
+        panel = ElementTree.parse(PANELS[0]).find(".//SourceProxy")
+        properties = [child for child in panel if child.tag.endswith("VectorProperty")]
+        first = [child.get("name") for child in properties if child.get("panel_visibility") == "default"]
+        self.assertEqual(first, ["Mode", "MaximumError", "TargetReduction", "AutomaticSmoothing", "LabelArrayName", "KeepVoxels",
+                                 "ToleranceArrayName", "NumberOfThreads"])
+        grouped = [one.get("name") for group in panel.iter("PropertyGroup") for one in group]
+        self.assertEqual(sorted(first + grouped), sorted(child.get("name") for child in properties))
+
+    def test_numbers_with_a_unit_show_it_and_are_called_by_their_names_in_python(self):
+        units = {"mm": "mm", "mm2": "mm\u00b2", "mm3": "mm\u00b3", "degrees": "\u00b0"}
+        panel = ElementTree.parse(PANELS[0]).find(".//SourceProxy")
+        shown = {child.get("name"): component.get("label") for child in panel for component in child.iter("ComponentLabel")}
+        rows = re.findall(r"^\| `(\w+)` \|[^|]*\| ([^|]+) \| [^|]* \| ([^|]*) \|", TABLE, re.MULTILINE)
+        self.assertEqual(shown, {name: units[unit.strip()] for name, _, unit in rows if unit.strip() in units})
+        decimate = simple.BoneDecimate(Input=self.bone, PruneArea=2.0)
+        self.assertEqual(decimate.PruneArea, 2.0)
+
     def test_no_property_names_one_that_is_not_there(self):
         for panel in PANELS:
             for proxy in ElementTree.parse(panel).iter("SourceProxy"):

@@ -10,6 +10,7 @@ import os
 import unittest
 
 from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkFiltersCore import vtkMassProperties
 
 import cases
 import specimens
@@ -27,6 +28,17 @@ def of_bone(surface, bone):
         if bones.GetValue(number) == bone:
             chosen.InsertNextCell(3, corners)
     return specimens.polydata(surface.GetPoints(), chosen)
+
+
+def area_of(surface):
+    properties = vtkMassProperties()
+    properties.SetInputData(surface)
+    return properties.GetSurfaceArea()
+
+
+def values_of(surface, name):
+    array = surface.GetPointData().GetArray(name)
+    return [array.GetValue(i) for i in range(array.GetNumberOfTuples())] if array else []
 
 
 class Parallel(unittest.TestCase):
@@ -130,7 +142,27 @@ class Parallel(unittest.TestCase):
             self.assertEqual(report["output"]["triangles"], self.whole["error", 4].GetNumberOfPolys())
             self.assertLessEqual(report["proof"]["if_unchanged"]["upper"], 0.1)
             self.assertEqual(report["parallel"]["processes"], 4)
+            self.assertIn("seconds", report["parallel"]["missing"])
             self.assertEqual(surface.GetFieldData().GetArray("bonedecimate.proof.if_unchanged.upper").GetValue(0), report["proof"]["if_unchanged"]["upper"])
+
+    def test_ranks_report_the_figures_that_one_reports(self):
+        for name in ("error", "reduction", "open", "pruned", "labels"):
+            alone = report_of(parts(name, 1)[0])
+            for ranks in RANKS[1:]:
+                whole = self.whole[name, ranks]
+                for surface in parts(name, ranks):
+                    report = report_of(surface)
+                    with self.subTest(name, ranks=ranks):
+                        self.assertEqual(report["stop_reason"], alone["stop_reason"])
+                        self.assertEqual(report.get("proof", {}).get("if_unchanged", {}).get("status"),
+                                         alone.get("proof", {}).get("if_unchanged", {}).get("status"))
+                        for side in ("input", "output"):
+                            self.assertEqual(report[side]["components"], alone[side]["components"])
+                        self.assertAlmostEqual(report["input"]["area"], alone["input"]["area"], 6)
+                        self.assertAlmostEqual(report["output"]["area"], area_of(whole), 6)
+                        distances = [value for part in parts(name, ranks) for value in values_of(part, "Distance (mm)")]
+                        self.assertEqual(report["distance"]["output_to_input"]["max"], max(distances))
+                        self.assertAlmostEqual(report["distance"]["output_to_input"]["mean"], sum(distances) / len(distances), 12)
 
     def test_bounds_and_distances_are_true_of_the_input(self):
         for name in BOUNDED:

@@ -61,7 +61,7 @@ class Panel(unittest.TestCase):
         for name, value in (("tolerance", 0.2), ("triangles", 0), ("ownSmoothing", 0.15), ("featureAngle", 180.0), ("radius", 10.0),
                             ("feather", 2.0)):
             getattr(self.panel, name).value = value
-        for name, text in (("smoothing", "none"), ("kind", MODULE.MODELS), ("where", MODULE.EVERYWHERE), ("caps", MODULE.CAPS[0])):
+        for name, text in (("smoothing", "none"), ("modelGrid", "auto"), ("kind", MODULE.MODELS), ("where", MODULE.EVERYWHERE), ("caps", MODULE.CAPS[0])):
             getattr(self.panel, name).currentText = text
         self.panel._onChange()
 
@@ -93,6 +93,24 @@ class Panel(unittest.TestCase):
             self.panel.smoothing.currentText = text
             found = self.panel.request().smoothing
             self.assertEqual(found if isinstance(found, str) else round(found, 9), wanted)
+
+    def test_the_grid_of_a_network_is_that_of_the_control_and_for_segments_alone(self):
+        self.assertEqual(self.panel.request().model_grid, "auto")
+        for text in ("off", "1.5"):
+            self.panel.modelGrid.currentText = text
+            with patch.object(type(self.panel.logic.engine), "decimate_segments", side_effect=MODULE.DecimationError("seen")) as run:
+                MODULE.slicer.util.errorDisplay.side_effect = None
+                self.press(self.panel._onSimplify)
+            self.assertEqual(run.call_args.args[-1], text)
+        for node, is_enabled in ((self.node, True), (None, False)):
+            self.panel._onSource(node)
+            self.assertEqual(self.panel.modelGrid.enabled, is_enabled)
+
+    def test_eight_controls_come_first_and_all_other_options_in_sections(self):
+        first = ["Mode", "Tolerance", "", "Triangles", "Smoothing", "Keep voxels", "Where", "Number of threads"]
+        self.assertEqual([call.args[0] for call in self.panel.first.addRow.call_args_list if isinstance(call.args[0], str)], first)
+        table = self.panel.table
+        self.assertLessEqual({row["group"] for row in table.panel_rows() if row["name"] != "NumberOfThreads"}, set(self.panel.options.SECTIONS))
 
     def test_the_angle_of_kept_edges_is_requested(self):
         self.panel.featureAngle.value = 45.0
@@ -151,7 +169,7 @@ class Panel(unittest.TestCase):
             panel = MODULE.BoneDecimatorWidget()
             panel.setup()
             panel._onChange()
-            self.assertEqual([note.text for note in panel.options.notes], ["There is no engine."] * 2)
+            self.assertEqual([note.text for note in panel.options.notes], ["There is no engine."] * len(panel.options.SECTIONS))
             self.assertEqual(panel.options.values(), {})
         panel._fillOptions()
         self.assertEqual(set(panel.options.values()), {row["flag"] for row in panel.table.panel_rows()})

@@ -12,9 +12,12 @@ import re
 import sys
 from xml.sax.saxutils import escape, quoteattr
 
-# Titles of the groups of the table, in the order of the panel. Options of no group come before them.
-GROUPS = {"Targets": "Targets (lengths in mm)", "Smoothing": "Smoothing (lengths in mm)", "Proof": "Proof",
-          "Shape": "Triangle shapes (lengths in mm)", "Output": "Output"}
+# The first view, in this order. All others are advanced, by the groups of the table in this order.
+FIRST = ("Mode", "MaximumError", "TargetReduction", "AutomaticSmoothing", "LabelArrayName", "KeepVoxels", "ToleranceArrayName", "NumberOfThreads")
+GROUPS = {"Targets": "Targets", "Smoothing": "Smoothing", "Proof": "Proof", "Shape": "Triangle shapes", "Input": "Repair and pruning",
+          "Output": "Output", "Names": "Names of arrays", "Thesis": "Mode Thesis"}
+# As XML writes them; those of counts are in their names.
+UNITS = {"mm": "mm", "mm2": "mm&#178;", "mm3": "mm&#179;", "degrees": "&#176;"}
 # A panel sets every property: see vtkPVBoneDecimate.
 COMMANDS = {"TargetReduction": "SetTargetReductionUnlessDefault"}
 
@@ -53,7 +56,7 @@ TAIL = """      <OutputPort name="Result" index="0" id="port0"/>
 
 
 def label(name):
-    """In words. Without the unit: in ParaView's Python a property is called by its label without the blanks."""
+    """In words. Without the unit, which is a label beside the number: in ParaView's Python a property is called by its label."""
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
 
 
@@ -62,8 +65,8 @@ def text_of(row):
 
 
 def range_attributes(row):
-    # A panel shows a slider between two ends, which is of no use for 1e30 mm: the filter rejects what is beyond.
-    maximum = "" if row["maximum"] == 1e30 else f' max="{row["maximum"]:.10g}"'
+    # A panel shows a slider without the unit between two ends: the filter rejects what is beyond the other one.
+    maximum = "" if row["unit"] else f' max="{row["maximum"]:.10g}"'
     return f'min="{row["minimum"]:.10g}"' + maximum
 
 
@@ -99,8 +102,9 @@ def condition(name, value, has_value):
 
 
 def hints(row):
-    """Enabled where one term of each list holds."""
-    lines = []
+    """The unit, and enabled where one term of each list holds."""
+    unit = UNITS.get(row["unit"], "")
+    lines = [f'<ShowComponentLabels><ComponentLabel component="0" label="{unit}"/></ShowComponentLabels>'] if unit else []
     for terms in row["conditions"]:
         parts = [condition(*term) for term in terms]
         lines.append(parts[0] if len(parts) == 1 else '<PropertyWidgetDecorator type="CompositeDecorator"><Expression type="or">'
@@ -113,7 +117,7 @@ def write_property(row):
     element, start, domain = kind_of(row)
     lines = [f'      <{element} name="{name}" label="{label(name)}"',
              f'        command="{COMMANDS.get(name, "Set" + name)}" number_of_elements="1" default_values={quoteattr(start)}',
-             f'        panel_visibility="{"advanced" if row["advanced"] else "default"}">']
+             f'        panel_visibility="{"default" if name in FIRST else "advanced"}">']
     lines += ["        " + domain] if domain else []
     lines += [f"        <Documentation>{escape(text_of(row))}</Documentation>", *hints(row), f"      </{element}>"]
     return "\n".join(lines) + "\n"
@@ -125,8 +129,10 @@ def write_group(title, rows):
 
 
 def write_panel(rows):
-    groups = [write_group(title, [row for row in rows if row["group"] == group]) for group, title in GROUPS.items()]
-    return HEAD + "".join(map(write_property, rows)) + "".join(groups) + TAIL
+    first = [row for name in FIRST for row in rows if row["name"] == name]
+    grouped = [(title, [row for row in rows if row["group"] == group and row not in first]) for group, title in GROUPS.items()]
+    ordered = first + [row for _, members in grouped for row in members]
+    return HEAD + "".join(map(write_property, ordered)) + "".join(write_group(*group) for group in grouped) + TAIL
 
 
 def main(table, panel):

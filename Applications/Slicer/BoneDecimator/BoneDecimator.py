@@ -42,11 +42,11 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.levels = None
         self.results = []  # model nodes of the last run
         self._addSource()
-        self._addSmoothing()
-        self._addGoal()
-        self._addOptions()
-        self._addBrush()
+        self._addFirst()
         self._addActions()
+        self._addBrush()
+        self._addSmoothing()
+        self._addOptions()
         self._addCaps()
         self._addPreview()
         self._fillOptions()
@@ -92,13 +92,13 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         form.addRow("Segments", self.segments)
         form.addRow("Result of a model (none: a new model)", self.target)
         form.addRow("Result of segments", self.kind)
-        self._onSource(None)
 
     def _onSource(self, node):
         is_segmentation = node is not None and node.IsA("vtkMRMLSegmentationNode")
         self.segments.visible = is_segmentation
         self.segments.setSegmentationNode(node if is_segmentation else None)
-        self.kind.enabled, self.target.enabled = has_label_map(node), not has_label_map(node)
+        self.kind.enabled = self.modelGrid.enabled = has_label_map(node)
+        self.target.enabled = not has_label_map(node)
         self.levels = None
         self.logic.release_memory()
 
@@ -109,29 +109,13 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
             return None
         return list(self.segments.selectedSegmentIDs()) or None
 
-    def _addSmoothing(self):
-        form = self._section("Smoothing")
-        self.smoothing = qt.QComboBox()
-        self.smoothing.addItems(SMOOTHINGS)
-        self.smoothing.toolTip = ("Removes the steps of the voxels first. No point moves farther than this, nor than the tolerance. "
-                                  "Automatic: a third of the tolerance, or half a voxel. Surfaces of gray values need none.")
-        self.ownSmoothing = self._millimeters(0.2, 100.0)
-        self.ownSmoothing.enabled = False
-        self.smoothing.currentTextChanged.connect(lambda text: setattr(self.ownSmoothing, "enabled", text == OWN_DISTANCE))
-        self.featureAngle = qt.QDoubleSpinBox()
-        self.featureAngle.maximum, self.featureAngle.value, self.featureAngle.suffix = 180.0, 180.0, " degrees"
-        self.featureAngle.toolTip = ("Edges of cuts, implants and fractures stay sharp if the normals beside them differ by more than "
-                                     "this: 45 is a good value. 180: none.")
-        form.addRow("Smoothing", self.smoothing)
-        form.addRow("Own distance", self.ownSmoothing)
-        form.addRow("Keep edges sharper than", self.featureAngle)
-
-    def _addGoal(self):
-        form = self._section("How small")
+    def _addFirst(self):
+        """What most people set; all else is in sections below."""
+        form = self.first = self._section("Simplify")
+        self.mode, self.keepVoxels = qt.QComboBox(), qt.QComboBox()  # choices: _fillOptions()
         self.tolerance = self._millimeters(0.2, 100.0)
         self.tolerance.toolTip = ("No point of either surface is farther from the other, smoothing included: proved. 0: no limit; "
                                   "smoothing alone keeps all triangles.")
-        self.volume = self._nodes(["vtkMRMLScalarVolumeNode"])
         buttons = qt.QHBoxLayout()
         for name in presets((1.0,)):
             button = qt.QPushButton(name)
@@ -140,22 +124,45 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.triangles = qt.QSpinBox()
         self.triangles.maximum, self.triangles.singleStep = 100_000_000, 1000
         self.triangles.specialValueText = "as few as the tolerance allows"
-        self.mode, self.keepVoxels = qt.QComboBox(), qt.QComboBox()  # choices: _fillOptions()
+        self.smoothing = qt.QComboBox()
+        self.smoothing.addItems(SMOOTHINGS)
+        self.smoothing.toolTip = ("Removes the steps of the voxels first. No point moves farther than this, nor than the tolerance. "
+                                  "Automatic: a third of the tolerance, or half a voxel. Surfaces of gray values need none.")
         self.keepVoxels.toolTip = ("On: voxelized again, every voxel is in the segment it was in. Auto: on up to a tolerance of half "
                                    "a voxel, where it costs few triangles. For segments.")
-        form.addRow("Tolerance", self.tolerance)
+        self.where = qt.QComboBox()
+        self.where.addItems([EVERYWHERE, ONLY_THERE, KEEP])
+        for label, widget in (("Mode", self.mode), ("Tolerance", self.tolerance), ("", buttons), ("Triangles", self.triangles),
+                              ("Smoothing", self.smoothing), ("Keep voxels", self.keepVoxels), ("Where", self.where)):
+            form.addRow(label, widget)
+
+    def _addSmoothing(self):
+        form = self._section("Voxels and smoothing", collapsed=True)
+        self.modelGrid = qt.QComboBox()
+        self.modelGrid.editable = True
+        self.modelGrid.addItems(["auto", "off"])
+        self.modelGrid.toolTip = ("Segments that a network made on a coarser grid are extracted and smoothed there. auto: where that is "
+                                  "certain; off: never; or the spacing of the network in mm, one number or three with commas.")
+        self.volume = self._nodes(["vtkMRMLScalarVolumeNode"])
+        self.ownSmoothing = self._millimeters(0.2, 100.0)
+        self.ownSmoothing.enabled = False
+        self.smoothing.currentTextChanged.connect(lambda text: setattr(self.ownSmoothing, "enabled", text == OWN_DISTANCE))
+        self.featureAngle = qt.QDoubleSpinBox()
+        self.featureAngle.maximum, self.featureAngle.value, self.featureAngle.suffix = 180.0, 180.0, " degrees"
+        self.featureAngle.toolTip = ("Edges of cuts, implants and fractures stay sharp if the normals beside them differ by more than "
+                                     "this: 45 is a good value. 180: none.")
+        form.addRow("Grid of the network", self.modelGrid)
         form.addRow("Scan, for presets of a model", self.volume)
-        form.addRow("", buttons)
-        form.addRow("Triangles", self.triangles)
-        form.addRow("Keep voxels", self.keepVoxels)
-        form.addRow("Mode", self.mode)
+        form.addRow("Own distance", self.ownSmoothing)
+        form.addRow("Keep edges sharper than", self.featureAngle)
+        self._onSource(None)
 
     def _onPreset(self, name):
         self.tolerance.value = presets(spacing_of(self.source.currentNode(), self.volume.currentNode()))[name]
 
     def _addOptions(self):
         self.table = None  # of the engine
-        self.options = OptionWidgets(*(self._section(title, collapsed=True) for title in ("Triangle shapes", "More options")))
+        self.options = OptionWidgets(self.first, lambda title: self._section(title, collapsed=True))
 
     def _fillOptions(self):
         """Takes choices and options from the engine's table, as soon as there is one."""
@@ -184,15 +191,13 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.preview.changed()
 
     def _addBrush(self):
-        form = self._section("Where", collapsed=True)
-        self.where = qt.QComboBox()
-        self.where.addItems([EVERYWHERE, ONLY_THERE, KEEP])
+        form = self._section("Brush", collapsed=True)
         self.brush = self._nodes(["vtkMRMLMarkupsFiducialNode", "vtkMRMLMarkupsROINode"], may_be_new=True)
         self.paint = qt.QLineEdit()
         self.paint.placeholderText = "or a painted point array (Dynamic Modeler, Select by points)"
         self.radius, self.feather = self._millimeters(10.0, 1000.0), self._millimeters(2.0, 100.0)
-        for label, widget in (("Simplify", self.where), ("Points or region of interest", self.brush),
-                              ("Point array", self.paint), ("Radius of a point", self.radius), ("Feather", self.feather)):
+        for label, widget in (("Points or region of interest", self.brush), ("Point array", self.paint),
+                              ("Radius of a point", self.radius), ("Feather", self.feather)):
             form.addRow(label, widget)
 
     def _addActions(self):
@@ -239,7 +244,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         form.addRow(self.previewText)
         for signal in (self.source.currentNodeChanged, self.segments.selectionChanged, self.smoothing.currentTextChanged,
                        self.ownSmoothing.valueChanged, self.featureAngle.valueChanged, self.tolerance.valueChanged, self.triangles.valueChanged,
-                       self.mode.currentTextChanged, self.keepVoxels.currentTextChanged, self.where.currentTextChanged,
+                       self.mode.currentTextChanged, self.keepVoxels.currentTextChanged, self.modelGrid.currentTextChanged, self.where.currentTextChanged,
                        self.brush.currentNodeChanged, self.paint.textChanged, self.radius.valueChanged, self.feather.valueChanged):
             signal.connect(self._onChange)
 
@@ -264,13 +269,14 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         if where != EVERYWHERE:
             brush = self.paint.text.strip() or self.brush.currentNode()
             if not brush:
-                raise DecimationError("Choose points, a region of interest or a point array under 'Where'.")
+                raise DecimationError("Choose points, a region of interest or a point array under 'Brush'.")
         choice = self.smoothing.currentText
         needs_spacing = choice not in (NO_SMOOTHING, AUTOMATIC, OWN_DISTANCE)
         spacing = spacing_of(self.source.currentNode(), self.volume.currentNode()) if needs_spacing else None
         return Request(tolerance=self.tolerance.value, triangles=self.triangles.value, mode=self.mode.currentText or None,
                        smoothing=smoothing_of(choice, spacing, self.ownSmoothing.value),
                        feature_angle=self.featureAngle.value, keep_voxels=self.keepVoxels.currentText or None,
+                       model_grid=self.modelGrid.currentText.strip() or "auto",
                        extra=self.options.values(only_enabled=True), brush=brush, keeps_brush=where == KEEP,
                        radius=self.radius.value, feather=self.feather.value)
 

@@ -62,12 +62,6 @@ public:
     return *this;
   }
 
-  OptionRow& Advanced()
-  {
-    this->Info.IsAdvanced = true;
-    return *this;
-  }
-
   OptionRow& NamesPointArray()
   {
     this->Info.IsPointArrayName = true;

@@ -26,7 +26,7 @@ using OptionField =
 /// Switches are bool, choices are their number as int.
 using OptionValue = std::variant<bool, int, double, std::string>;
 
-/// Groups of options in panels, in their order; options without a group come before them.
+/// Groups of options in panels. NoGroup: in the first view alone.
 enum class PanelGroup : int
 {
   NoGroup = 0,
@@ -34,7 +34,10 @@ enum class PanelGroup : int
   Smoothing,
   Proof,
   Shape,
-  Output
+  Input,
+  Output,
+  Names,
+  Thesis
 };
 
 /// A row; OptionRows.def has them all.
@@ -51,7 +54,6 @@ struct OptionInfo
   std::vector<NeedList> Needs;      ///< Unmet needs of a list are named together.
   bool (*IsUsed)(const Options& options) = nullptr; ///< If null, any value but the default.
   PanelGroup Group = PanelGroup::NoGroup;
-  bool IsAdvanced = false;       ///< Hidden in panels at first.
   bool IsPointArrayName = false; ///< Chosen from the point arrays of the input.
 };
 

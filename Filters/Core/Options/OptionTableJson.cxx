@@ -102,7 +102,8 @@ std::string KindWord(const OptionInfo& info)
 
 std::string GroupWord(PanelGroup group)
 {
-  static const char* const names[] = { "", "Targets", "Smoothing", "Proof", "Shape", "Output" };
+  static const char* const names[] = { "", "Targets", "Smoothing", "Proof", "Shape", "Input",
+    "Output", "Names", "Thesis" };
   return names[static_cast<std::size_t>(group)];
 }
 
@@ -119,7 +120,6 @@ std::string RowText(const OptionInfo& info)
     "\"default\": " + Quoted(OptionText(Options(), info)),
     "\"sentence\": " + Quoted(info.Sentence),
     "\"group\": " + Quoted(GroupWord(info.Group)),
-    "\"advanced\": " + TruthText(info.IsAdvanced),
     "\"names_point_array\": " + TruthText(info.IsPointArrayName),
     "\"conditions\": " + Conditions(info),
     "\"unsupported\": " + Unsupported(info),

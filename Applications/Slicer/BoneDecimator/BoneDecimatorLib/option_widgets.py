@@ -41,13 +41,17 @@ def widget_for(row):
 
 
 class OptionWidgets:
-    """In two forms, for the shapes of triangles and for all else, which say why they are empty until fill()."""
+    """In forms for groups of the table, which say why they are empty until fill()."""
 
-    def __init__(self, shapes, more):
-        self._forms = shapes, more
-        self.notes = qt.QLabel(), qt.QLabel()
+    SECTIONS = {"Proof": "Proof", "Shape": "Triangle shapes", "Input": "Repair and pruning", "Output": "Output"}  # titles of groups
+    FIRST = ("NumberOfThreads",)  # with the options that have a widget of their own
+
+    def __init__(self, first, section):
+        """@param first Form of FIRST.  @param section Makes a form with a title."""
+        self._first, self._forms = first, {group: section(title) for group, title in self.SECTIONS.items()}
+        self.notes = [qt.QLabel() for _ in self._forms]
         self.of_flag = {}  # row and widget
-        for form, note in zip(self._forms, self.notes):
+        for form, note in zip(self._forms.values(), self.notes):
             note.wordWrap = True
             form.addRow(note)
 
@@ -63,7 +67,8 @@ class OptionWidgets:
             widget = widget_for(row)
             getattr(widget, SIGNALS[row["kind"]]).connect(changed)
             self.of_flag[row["flag"]] = row, widget
-            self._forms[row["group"] != "Shape"].addRow(label(row), widget)
+            form = self._first if row["name"] in self.FIRST else self._forms.get(row["group"], self._forms["Output"])
+            form.addRow(label(row), widget)
 
     def values(self, only_enabled=False):
         """By flag."""
