@@ -13,8 +13,8 @@
 namespace bonedecimate
 {
 /**
- * A progress event of the filter at every percent. Whether the run is to be aborted is asked at
- * every call, which is much more often.
+ * A progress event of the filter at every percent. Every call, of which there are many more, looks
+ * whether the run is to be aborted.
  *
  *     FilterProgress progress(*this, "Comparing voxels");
  *     Run(..., std::ref(progress));

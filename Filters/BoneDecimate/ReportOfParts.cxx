@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ReportOfParts.cxx
- * @brief The report of vtkPBoneDecimate on a surface in parts, and what of it is found part by part.
+ * @brief The report of vtkPBoneDecimate on a surface in parts.
  */
 #include "DecimateInternals.h"
 #include "FiguresOfParts.h"

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from vtkmodules.vtkCommonDataModel import vtkFieldData
 
-    from .arrays import Result
+    from .results import Result
 
 # Of points: the array of the result, the option that names it, its unit.
 OF_POINTS = (("distance", "DistanceArrayName", "mm"), ("running_error", "RunningErrorArrayName", "mm"),

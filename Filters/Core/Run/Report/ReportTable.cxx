@@ -79,7 +79,16 @@ void AddBounds(Entries& entries, const std::string& path, const ProvedDistance& 
 void AddProof(Entries& entries, const Report& report)
 {
   const ErrorProof& proof = report.Proof;
+  if (!proof.WasMade && proof.Status != ProofStatus::Aborted)
+  {
+    return;
+  }
   entries.push_back({ "proof.status", "", std::string(ProofStatusWord(proof.Status)) });
+  if (!proof.WasMade)
+  {
+    entries.push_back({ "proof.sentence", "", std::string("nothing: the run was aborted") });
+    return;
+  }
   entries.push_back({ "proof.tolerance", "mm", proof.Tolerance });
   AddBounds(entries, "proof", { proof.Lower(), proof.Upper() });
   AddBounds(entries, "proof.output_to_input", proof.OutputToInput);
@@ -343,15 +352,7 @@ std::vector<ReportEntry> ReportEntries(const Report& report)
     AddReference(entries, report.Reference);
   }
   AddLeftOut(entries, "left_out", report.LeftOut);
-  if (report.Proof.WasMade)
-  {
-    AddProof(entries, report);
-  }
-  else if (report.Proof.Status == ProofStatus::Aborted)
-  {
-    entries.push_back({ "proof.status", "", std::string(ProofStatusWord(ProofStatus::Aborted)) });
-    entries.push_back({ "proof.sentence", "", std::string("nothing: the run was aborted") });
-  }
+  AddProof(entries, report);
   if (report.FragmentGapMeasured)
   {
     entries.push_back({ "fragment_gap.input", "mm", report.Gap.Input });
