@@ -48,9 +48,9 @@ struct vtkPBoneDecimate::Plan
   /// With ProvesError: triangles of the input of other processes near this one.
   vtkSmartPointer<vtkPolyData> Neighbors;
   double Proved = std::nan(""); ///< mm, of all phases so far; not a number without a proof.
-  int ProofStatus = 0;          ///< The worst of all phases so far, of ProofStatuses.
-  int StopReason = 0;           ///< Of StopReasons: ABORTED, or what ended the phases so far.
-  std::map<std::string, double> Figures; ///< Of the report.
+  int ProofStatus = 0;          ///< One of ProofStatuses, the worst of all phases so far.
+  int StopReason = 0;           ///< One of StopReasons: ABORTED, or what ended the phases.
+  std::map<std::string, double> Figures; ///< Entries of the report.
   bool ReducesStrips = false;
   double StripsBefore = 0.0; ///< Triangles of the strips before and after phase 2.
   double StripsAfter = 0.0;
