@@ -54,6 +54,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
         self._stop = _core.StopReason.NotRun
         self._rejected_edits = 0
         self._interrupted = False
+        self._error_code = self._percent = 0
         self._label = 0
         for name, value in properties.items():
             if name not in PROPERTIES:
@@ -214,7 +215,13 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
             self._interrupted = False
             raise KeyboardInterrupt
 
+    def GetErrorCode(self) -> int:
+        """Why the last update failed: 0, REJECTED_RUN or NOT_PROVED; the error event has the reason."""
+        return self._error_code
+
     def RequestData(self, _request, inInfo, outInfo) -> int:
+        self._error_code = self._percent = 0
+        self.SetProgressText("Simplifying the surface")
         outputs = [vtkPolyData.GetData(outInfo, port) for port in range(2)]
         try:
             data = self._with_label_map(vtkPolyData.GetData(inInfo[0]), vtkImageData.GetData(inInfo[2]))
@@ -254,6 +261,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
         fill_output(outcome, surface, self._options, data, output)
         fill_input_copy(outcome, self._options, data, input_copy)
         if outcome["contradiction"]:
+            self._error_code = self.NOT_PROVED
             self._say("ErrorEvent", outcome["contradiction"])
         return 1
 
@@ -275,18 +283,22 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
             is_label = index == self.LABEL_ARRAY
             if array is None or not (association == POINTS or (is_label and association == CELLS)):
                 kind = "cell or point array" if is_label else "point array"
-                raise ValueError(f"the input has no {kind} for index {index}")
+                name = information.Get(vtkDataObject.FIELD_NAME())
+                raise ValueError(f"the input has no {kind} " + (f"'{name}'" if name else f"for index {index}"))
             found["labels" if is_label else "tolerances"] = array
             if is_label:
                 found["labels_are_of_cells"] = association == CELLS
         return InputArrays(**found) if data.GetNumberOfPoints() else InputArrays()
 
     def _goes_on(self, fraction: float) -> bool:
-        """An aborted run still has a valid surface. CheckAbort() would have the executive throw it away."""
-        self.UpdateProgress(fraction)
+        """An event per percent. An aborted run still has a valid surface: CheckAbort() would have the executive throw it away."""
+        while not self.GetAbortExecute() and self._percent < int(100 * fraction + 1e-9):
+            self._percent += 1
+            self.UpdateProgress(self._percent / 100)
         return not self.GetAbortExecute()
 
     def _fail(self, text: str) -> int:
+        self._error_code = self.REJECTED_RUN
         self._say("ErrorEvent", text)
         return 0
 
@@ -376,6 +388,7 @@ for _mode in _core.Mode:
 for _value, _name in enumerate(("NO_PROOF", "PROVED", "VIOLATED", "UNDECIDED", "PROOF_ABORTED")):
     setattr(vtkBoneDecimate, _name, _value)
 vtkBoneDecimate.TOLERANCE_ARRAY, vtkBoneDecimate.LABEL_ARRAY = 0, 1
+vtkBoneDecimate.REJECTED_RUN, vtkBoneDecimate.NOT_PROVED = 40002, 40003  # as in C++
 for _enumeration in (_core.Mode, _core.ErrorPreset, _core.KeepVoxels, _core.StopReason):
     for _member in _enumeration:
         setattr(vtkBoneDecimate, words(_member.name, "_").upper(), _member.value)
