@@ -65,7 +65,7 @@ class Consumer(unittest.TestCase):
         result = self.folder / "result.vtp"
         done = subprocess.run([build / "bones", self.folder / "missing.mha", result], capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, result.exists()), (1, False))
-        self.assertIn("missing.mha", done.stderr)
+        self.assertIn("missing.mha cannot be read", done.stderr)
 
     def test_installed_headers_are_those_of_the_public_classes(self):
         headers = {path.name for path in (self.folder / "installed/include/vtkbonedecimate").rglob("*.h")}
