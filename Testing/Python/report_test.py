@@ -119,6 +119,15 @@ class Report(unittest.TestCase):
         for kind in (vtkBoneDecimate, vtkBoneDecimateLevels, vtkBoneErrorSearch):
             self.assertEqual(problems(json.loads(kind().report_as_json), REPORT), [], kind.__name__)
 
+    def test_of_an_aborted_run_has_the_form_of_its_schema(self):
+        decimate = decimating(torus(), MaximumError=0.5)
+        decimate.AddObserver("ProgressEvent", lambda *_: decimate.SetAbortExecute(decimate.GetProgress() > 0.3))
+        decimate.Update()
+        carried = json.loads(decimate.GetOutput().GetFieldData().GetAbstractArray("BoneDecimateReport").GetValue(0))
+        for report, status in ((json.loads(decimate.report_as_json), lambda proof: proof["status"]),
+                               (carried, lambda proof: proof["if_unchanged"]["status"])):
+            self.assertEqual((problems(report, REPORT), status(report["proof"])), ([], "aborted"))
+
     def test_names_every_option(self):
         options = json.loads(vtkBoneDecimate().report_as_json)["options"]
         self.assertTrue(all(vtkBoneDecimate().HasOption(name) for name in options))

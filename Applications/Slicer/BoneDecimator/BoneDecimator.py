@@ -83,6 +83,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.segments = slicer.qMRMLSegmentsTableView()
         self.segments.setMRMLScene(slicer.mrmlScene)
         self.segments.toolTip = "The selected segments; if none is selected, those that are visible."
+        self.volume = self._nodes(["vtkMRMLScalarVolumeNode"])
         self.target = self._nodes(["vtkMRMLModelNode"], may_be_new=True)
         self.kind = qt.QComboBox()
         self.kind.addItems([MODELS, CLOSED_SURFACES])
@@ -90,6 +91,7 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.source.currentNodeChanged.connect(self._onSource)
         form.addRow("Model or segmentation", self.source)
         form.addRow("Segments", self.segments)
+        form.addRow("Scan, for presets of a model", self.volume)
         form.addRow("Result of a model (none: a new model)", self.target)
         form.addRow("Result of segments", self.kind)
 
@@ -143,7 +145,6 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.modelGrid.addItems(["auto", "off"])
         self.modelGrid.toolTip = ("Segments that a network made on a coarser grid are extracted and smoothed there. auto: where that is "
                                   "certain; off: never; or the spacing of the network in mm, one number or three with commas.")
-        self.volume = self._nodes(["vtkMRMLScalarVolumeNode"])
         self.ownSmoothing = self._millimeters(0.2, 100.0)
         self.ownSmoothing.enabled = False
         self.smoothing.currentTextChanged.connect(lambda text: setattr(self.ownSmoothing, "enabled", text == OWN_DISTANCE))
@@ -152,7 +153,6 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.featureAngle.toolTip = ("Edges of cuts, implants and fractures stay sharp if the normals beside them differ by more than "
                                      "this: 45 is a good value. 180: none.")
         form.addRow("Grid of the network", self.modelGrid)
-        form.addRow("Scan, for presets of a model", self.volume)
         form.addRow("Own distance", self.ownSmoothing)
         form.addRow("Keep edges sharper than", self.featureAngle)
         self._onSource(None)
