@@ -43,7 +43,7 @@ class Example(unittest.TestCase):
         self.assertEqual(again.GetDataInformation().GetNumberOfCells(), triangles)
         self.assertEqual(again.MaximumError, 0.3)
         # Without the plugin ParaView says what the documentation explains.
-        page = " ".join((EXAMPLE.parents[1] / "Documentation" / "paraview.md").read_text(encoding="utf-8").split())
+        page = " ".join((EXAMPLE.parents[1] / "Documentation" / "reference" / "paraview.md").read_text(encoding="utf-8").split())
         script = FOLDER / "without.py"
         script.write_text(f"from paraview.simple import LoadState\nLoadState({str(FOLDER / 'bone.pvsm')!r})\n", encoding="utf-8")
         opened = subprocess.run([os.environ["PVPYTHON"], str(script)], capture_output=True, text=True, check=False)
