@@ -226,7 +226,7 @@ int vtkBoneDecimate::Internals::Run(vtkPolyData* input, vtkPolyData* reference,
   bonedecimate::FilterProgress progress(*this->Filter, "Simplifying the surface");
   bonedecimate::Result result = bonedecimate::Decimate(
     read.Converted.Surface, options,
-    [&](double fraction) { return this->GoesOn(progress, fraction); }, read.Inputs);
+    [&](double fraction) { return this->ShouldContinue(progress, fraction); }, read.Inputs);
   this->ProveContinuedPart(read, result);
   this->Filter->Warn(read.Map.CompareWithMap(read.Converted.Surface, options, result));
   bonedecimate::NameCells(read.Converted, result.Report);
@@ -272,14 +272,15 @@ bool vtkBoneDecimate::Internals::Accept(const std::string& problem)
 }
 
 //------------------------------------------------------------------------------
-bool vtkBoneDecimate::Internals::GoesOn(bonedecimate::FilterProgress& progress, double fraction)
+bool vtkBoneDecimate::Internals::ShouldContinue(
+  bonedecimate::FilterProgress& progress, double fraction)
 {
-  const bool goesOn = progress(fraction);
+  const bool shouldContinue = progress(fraction);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  if (!goesOn)
+  if (!shouldContinue)
   {
     this->Filter->SetAbortOutput(false); // the output is a valid surface and stays
   }
 #endif
-  return goesOn;
+  return shouldContinue;
 }

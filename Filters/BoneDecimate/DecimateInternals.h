@@ -180,7 +180,7 @@ private:
     const bonedecimate::LabelMapRequest& map, RunInput& read);
   void ProveContinuedPart(const RunInput& read, bonedecimate::Result& result);
   void RejectArray(int index);
-  bool GoesOn(bonedecimate::FilterProgress& progress, double fraction);
+  bool ShouldContinue(bonedecimate::FilterProgress& progress, double fraction);
 
   vtkBoneDecimate* Filter;
   std::unique_ptr<PartOfSurface> Part; // null: the input is the whole surface

@@ -36,18 +36,18 @@ public:
   {
     constexpr double rounding = 1e-9;
     const int percent = static_cast<int>(100.0 * fraction + rounding);
-    bool goesOn = this->GoesOn();
-    while (goesOn && this->Percent < percent)
+    bool shouldContinue = this->ShouldContinue();
+    while (shouldContinue && this->Percent < percent)
     {
       ++this->Percent;
       this->Filter.UpdateProgress(this->Percent / 100.0);
-      goesOn = this->GoesOn();
+      shouldContinue = this->ShouldContinue();
     }
-    return goesOn;
+    return shouldContinue;
   }
 
 private:
-  bool GoesOn()
+  bool ShouldContinue()
   {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
     return !this->Filter.CheckAbort();

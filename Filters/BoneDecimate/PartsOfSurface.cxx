@@ -213,7 +213,7 @@ std::vector<double> vtkBoneDecimate::Internals::SmoothPoints(vtkPolyData* whole)
   FilterProgress progress(*this->Filter, "Smoothing the surface");
   const SmoothedInput smoothed = SmoothOnly(
     read.Converted.Surface, options,
-    [&](double fraction) { return this->GoesOn(progress, fraction); }, read.Inputs);
+    [&](double fraction) { return this->ShouldContinue(progress, fraction); }, read.Inputs);
   this->Filter->State->Report.Smoothing = smoothed.Report.Smoothing;
   const std::string problem = InputMessage(smoothed.Report);
   if (!problem.empty())
