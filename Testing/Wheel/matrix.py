@@ -66,7 +66,7 @@ def make_environment(python, vtk, wheels, folder):
     needed(python, "-m", "venv", folder)
     pip = [folder / "bin" / "python", "-m", "pip", "-q", "--disable-pip-version-check"]
     needed(*pip, "install", "--no-index", "--no-deps", "--find-links", wheels, "bonedecimate")
-    installed = run(*pip, "install", "--only-binary", ":all:", f"vtk=={vtk}.*", "bonedecimate[pyvista,progress,files]")
+    installed = run(*pip, "install", "--only-binary", ":all:", f"vtk=={vtk}.*", "bonedecimate[pyvista,progress]")
     if "No matching distribution found for vtk" in installed.stdout:
         return None
     if installed.returncode != 0:

@@ -39,7 +39,7 @@ def build_wheel(version):
 
 def install(wheel, version, pip):
     """Downloaded here, installed by pip for Windows into that Python. Returns the versions."""
-    wanted = [f"{wheel}[pyvista,progress,files]", *IMAGES]
+    wanted = [f"{wheel}[pyvista,progress]", *IMAGES]
     downloads = FOLDER / "downloads" / version
     # pip downloads what the packages require on this system; on Windows tqdm requires colorama, too.
     needed(pip, "-q", "download", "--disable-pip-version-check", "--platform", "win_amd64", "--only-binary", ":all:",

@@ -4,13 +4,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
 from . import _core
-from .options import keyword, number, read, spell_sentences, switch, takes_options, thread_count
+from .options import number, read, spell_sentences, switch, takes_options, thread_count
 from .progress import Aborted, Progress, listener
 from .results import Certificate, Result
 from .surfaces import Surface, edge_lengths_from, input_from, labels_from, surface_from, tolerances_from, warn
@@ -91,12 +90,8 @@ def decimate(
 def run_on_arrays(surface: Surface, values: _core.Options, tolerances: ArrayLike | None = None, labels: ArrayLike | None = None,
                   label_map: LabelMapLike | VoxelGrid | None = None, boundary_labels: ArrayLike | None = None,
                   reference: SurfaceLike | None = None, progress: bool | Progress | None = None,
-                  prepared: _core.PreparedSurface | None = None, edge_lengths: ArrayLike | None = None,
-                  spell: Callable[[_core.OptionInfo], str] = keyword) -> Result:
-    """The warnings name the caller of the caller.
-
-    @param spell Of an option, as sentences call it.
-    """
+                  prepared: _core.PreparedSurface | None = None, edge_lengths: ArrayLike | None = None) -> Result:
+    """The warnings name the caller of the caller."""
     if prepared is not None and not isinstance(prepared, _core.PreparedSurface):
         raise TypeError(f"prepared takes a PreparedSurface, not {type(prepared).__name__}")
     surface, voxels = with_label_map(surface, boundary_labels, label_map)
@@ -110,7 +105,7 @@ def run_on_arrays(surface: Surface, values: _core.Options, tolerances: ArrayLike
         outcome = _core.decimate(*surface[:2], values, surface.is_single, withOrigins, limits, None, first and first[:2], heard,
                                  named, source and source.to_core(), prepared, lengths,
                                  list((surface if first is None else first).left_out))
-    spell_sentences(outcome, spell)
+    spell_sentences(outcome)
     outcome["warnings"] = surface.warnings + (first.warnings if first else []) + outcome["warnings"]
     raise_problems(outcome)
     if voxels is not None:

@@ -31,27 +31,22 @@ def keyword(row: _core.OptionInfo) -> str:
     return row.flag.replace("-", "_") or words(row.name, "_")
 
 
-def flag(row: _core.OptionInfo) -> str:
-    """As the command line has it."""
-    return f"--{row.flag}" if row.flag else keyword(row)
-
-
 for _row in _core.option_table():
     ROWS[keyword(_row)] = _row
 _OF_NAME = {row.name: row for row in ROWS.values()}
 _NAMES = re.compile(r"(?<![\w'\"])(" + "|".join(_OF_NAME) + r")(?![\w'\"])")
 
 
-def spelled(sentence: str, spell: Callable[[_core.OptionInfo], str] = keyword) -> str:
+def spelled(sentence: str) -> str:
     """A sentence of the core, which has the names of properties (MaximumError), with what its reader types (max_error)."""
-    return _NAMES.sub(lambda found: spell(_OF_NAME[found[0]]), sentence)
+    return _NAMES.sub(lambda found: keyword(_OF_NAME[found[0]]), sentence)
 
 
-def spell_sentences(outcome: dict, spell: Callable[[_core.OptionInfo], str] = keyword) -> None:
+def spell_sentences(outcome: dict) -> None:
     """The same for all sentences of a run."""
     for name in ("problem", "contradiction"):
-        outcome[name] = spelled(outcome[name], spell)
-    outcome["warnings"] = [spelled(warning, spell) for warning in outcome["warnings"]]
+        outcome[name] = spelled(outcome[name])
+    outcome["warnings"] = [spelled(warning) for warning in outcome["warnings"]]
 
 
 def unsupported(*kinds: str) -> dict[str, str]:
@@ -173,7 +168,10 @@ def assign(options: _core.Options, key: str, value: object, by_number: bool = Fa
         if not isinstance(plain, str):
             raise TypeError(f"{key} takes one of {', '.join(map(repr, row.choices))}, not {_shown(value)}")
         before = options.get(row.name)
-        read_text(options, row, plain)
+        try:
+            options.read(row.name, plain)
+        except ValueError as problem:
+            raise ValueError(spelled(str(problem)) + _instead(row, plain)) from None
         return options.get(row.name) != before
     kind = "int" if row.choices else row.kind
     if not _IS_OF_KIND[kind](plain):
@@ -185,24 +183,14 @@ def assign(options: _core.Options, key: str, value: object, by_number: bool = Fa
         raise ValueError(str(problem) if by_number else spelled(str(problem))) from None
 
 
-def read_text(options: _core.Options, row: _core.OptionInfo, text: str,
-              spell: Callable[[_core.OptionInfo], str] = keyword) -> None:
-    """Sets an option as the command line does. Raises ValueError."""
-    try:
-        options.read(row.name, text)
-    except ValueError as problem:
-        raise ValueError(spelled(str(problem), spell) + _instead(row, text, spell)) from None
-
-
-def _instead(row: _core.OptionInfo, value: object, spell: Callable[[_core.OptionInfo], str] = keyword) -> str:
+def _instead(row: _core.OptionInfo, value: object) -> str:
     """For a word where a number is wanted: the option that says it, if there is one."""
     word = re.sub(r"[\W_]", "", value).lower() if isinstance(value, str) else ""
     for other in (ROWS[name.replace("-", "_")] for name in _core.alternatives_to(row.flag) if name.replace("-", "_") in ROWS):
         said: object = True if other.kind == "bool" and word.startswith("auto") else None
         said = next((choice for choice in other.choices if other is not row and choice.lower() == word), said)
         if said is not None:
-            value_there = f"={said!r}" if spell is keyword else f" {'on' if said is True else said}"
-            return f"; {spell(other)}{value_there} says that"
+            return f"; {keyword(other)}={said!r} says that"
     return ""
 
 
