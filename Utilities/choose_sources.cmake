@@ -1,0 +1,52 @@
+# Of VTK and GDCM, what the program without pictures needs (Utilities/build_libraries.sh). Modules that others name are there, most of them without
+# their classes. Sources are compiled together, except those that do not compile so. Included by project() of these libraries.
+set(CMAKE_UNITY_BUILD ON)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
+file(WRITE "${CMAKE_BINARY_DIR}/empty.cxx" "")
+
+# Of the target's classes, those whose name matches.
+function (keep target pattern)
+  get_target_property(sources "${target}" SOURCES)
+  list(FILTER sources INCLUDE REGEX "(${pattern})\\.cxx$")
+  set_property(TARGET "${target}" PROPERTY SOURCES ${sources} "${CMAKE_BINARY_DIR}/empty.cxx")
+endfunction ()
+
+function (compile_alone target pattern)
+  get_target_property(sources "${target}" SOURCES)
+  get_target_property(folder "${target}" SOURCE_DIR)
+  list(FILTER sources INCLUDE REGEX "${pattern}")
+  foreach (source IN LISTS sources)
+    get_filename_component(source "${source}" ABSOLUTE BASE_DIR "${folder}")
+    set_source_files_properties("${source}" TARGET_DIRECTORY "${target}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endforeach ()
+endfunction ()
+
+function (choose_sources_of_VTK)
+  foreach (target IN ITEMS CommonColor CommonComputationalGeometry DICOMParser FiltersGeometry FiltersHybrid FiltersSources FiltersStatistics IOImage
+      ImagingCore ImagingSources ParallelCore ParallelDIY metaio)
+    keep("${target}" "^$")
+  endforeach ()
+  keep(CommonMisc "vtkContourValues|vtkErrorCode|vtkHeap|vtkPolygonBuilder")
+  keep(FiltersCore "vtkAppendPolyData|vtkCleanPolyData|vtkFlyingEdges3D|vtkPolyDataConnectivityFilter|vtkPolyDataNormals|vtkTriangleFilter")
+  keep(FiltersExtraction "vtkExtractCells|vtkExtractSelection|vtk[A-Za-z]*Selector")
+  keep(FiltersGeneral "vtkContourTriangulator")
+  keep(IOGeometry "vtkSTLWriter")
+  keep(IOLegacy "vtkDataReader|vtkDataWriter|vtkPolyDataReader|vtkPolyDataWriter")
+  keep(IOXML "vtkXML(Data|Structured|Unstructured)*(Data)*Reader|vtkXML(ImageData|PolyData)Reader|vtkXMLPolyDataWriter|vtkXMLUnstructuredDataWriter|vtkXMLWriter|vtkXMLWriterBase")
+  keep(RenderingCore "vtkColorTransferFunction")
+  set_target_properties(kissfft vtksys PROPERTIES UNITY_BUILD OFF)
+  compile_alone(CommonCore "Array")
+  compile_alone(CommonDataModel "Hexahedron|Locator|Pixel|Prism|Pyramid|Quad|SuperCursor|Tetra|Voxel|Wedge")
+endfunction ()
+
+function (choose_sources_of_GDCM)
+  keep(gdcmMEXD "^$")
+  keep(socketxx "^$")
+  foreach (target IN ITEMS gdcmcharls gdcmjpeg8 gdcmjpeg12 gdcmjpeg16 gdcmmd5 gdcmopenjp2 gdcmuuid)
+    if (TARGET ${target})
+      set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+    endif ()
+  endforeach ()
+endfunction ()
+
+cmake_language(DEFER CALL "choose_sources_of_${PROJECT_NAME}")

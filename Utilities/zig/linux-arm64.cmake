@@ -1,0 +1,6 @@
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L /usr/aarch64-linux-gnu)
+set(ZIG_PROCESSOR aarch64)
+set(ZIG_TARGET linux-arm64)
+include("${CMAKE_CURRENT_LIST_DIR}/toolchain.cmake")
