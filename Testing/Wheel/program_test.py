@@ -34,7 +34,7 @@ class Program(unittest.TestCase):
 
     @unittest.skipIf(os.name == "nt", "the program here is a script for a shell")
     def test_words_and_exit_code_are_those_of_the_program(self):
-        """An installation as pip leaves it, with a script in the place of the program."""
+        """An installation as pip leaves it, with a script for the program."""
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
             packages, scripts, records = root / "lib/packages", root / "bin", root / "lib/packages/bonedecimate-0.dist-info"
