@@ -6,6 +6,6 @@ namespace bonedecimate
 {
 std::string WritePicture(const PictureSubject&, const std::string&)
 {
-  return "this program was built without rendering (BONEDECIMATE_PICTURES)";
+  return "this program draws no pictures; that of the Debian package, or built from source, does";
 }
 }

@@ -142,7 +142,7 @@ class SummaryAndReport(ApplicationTest):
         return text.decode()
 
     def test_version_and_help(self):
-        self.assertRegex(self.succeed("--version").stdout, r"\Abonedecimate \d+\.\d+\.\d+\n\Z")
+        self.assertRegex(self.succeed("--version").stdout, r"\Abonedecimate \d+\.\d+\.\d+ \((built from source|Debian package|archive)\)\n\Z")
         text = self.succeed("--help").stdout
         for flag in re.findall(r"`--([a-z-]+)`", self.succeed("--options-markdown").stdout):
             self.assertIn("--" + flag + " ", text)

@@ -5,9 +5,9 @@ set(CMAKE_CXX_COMPILER "${zig_build}/zig/${ZIG_PROCESSOR}-c++")
 set(CMAKE_AR "${zig_build}/zig/ar" CACHE FILEPATH "")
 set(CMAKE_RANLIB "${zig_build}/zig/ranlib" CACHE FILEPATH "")
 set(BONEDECIMATE_LIBRARIES "${zig_build}/libraries-${ZIG_TARGET}" CACHE PATH "What the program brings along")
-set(CMAKE_C_FLAGS_INIT -ffp-contract=off) # the same bytes on every processor
-set(CMAKE_CXX_FLAGS_INIT -ffp-contract=off)
-set(CMAKE_EXE_LINKER_FLAGS_INIT -s)
+set(CMAKE_C_FLAGS_INIT "-g0 -ffp-contract=off -ffunction-sections -fdata-sections") # the same bytes on every processor
+set(CMAKE_CXX_FLAGS_INIT "${CMAKE_C_FLAGS_INIT} -Wno-deprecated-declarations") # of JSON's own templates, in headers of libc++
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-s -Wl,--gc-sections")
 set(BUILD_SHARED_LIBS OFF CACHE BOOL "Static libraries")
 set(CMAKE_FIND_ROOT_PATH "${BONEDECIMATE_LIBRARIES}")
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

@@ -23,6 +23,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 namespace bonedecimate
@@ -95,6 +96,15 @@ void SetThesisWords(Arguments& arguments, const std::vector<std::string>& words)
     words.size() == 5 ? words[4] : (input.parent_path() / FilePath(simplified)).string() };
   TakeFiles(arguments);
 }
+
+std::string Delivery()
+{
+  const std::string given = BONEDECIMATE_DELIVERY;
+  std::error_code none;
+  const bool isInstalled =
+    std::filesystem::read_symlink("/proc/self/exe", none) == "/usr/bin/bonedecimate";
+  return !given.empty() ? given : isInstalled ? "Debian package" : "built from source";
+}
 }
 
 void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& code)
@@ -107,7 +117,8 @@ void AddDecimateCommand(CLI::App& program, const std::string& self, ExitCode& co
   command.footer(HelpFooter());
   command.set_help_flag("-h,--help", "-h names the options on one screen, --help explains them.");
   command.set_version_flag("--version",
-    std::string("bonedecimate ") + Version() + BONEDECIMATE_DELIVERY, "Print the version.");
+    std::string("bonedecimate ") + Version() + " (" + Delivery() + ")",
+    "Print the version, and what the program came with.");
   AddDecimateOptions(command, *arguments);
   AddSettings(command, arguments->Settings);
   AddExplain(command, *arguments);
