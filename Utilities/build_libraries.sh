@@ -81,7 +81,7 @@ build libjpeg-turbo . -DENABLE_SHARED=OFF -DWITH_SIMD=OFF -DWITH_TURBOJPEG=OFF
 build tiff . -Dtiff-tools=OFF -Dtiff-tests=OFF -Dtiff-contrib=OFF -Dtiff-docs=OFF -Djbig=OFF -Dwebp=OFF -Dzstd=OFF -Dlerc=OFF -Dlzma=OFF -Dcxx=OFF
 
 fetch vtk9
-# Layers around a selection, for which the program never asks, would need VTK's parallel classes.
+# Layers around a selection, which the program does not use, need the parallel classes of VTK.
 sed -i 's/if (layers >= 1 && /if (false \&\& /' "$sources/vtk9/Filters/Extraction/vtkSelector.cxx"
 build vtk9 . -DVTK_GROUP_ENABLE_StandAlone=DONT_WANT -DVTK_GROUP_ENABLE_Rendering=DONT_WANT \
   -DVTK_MODULE_ENABLE_VTK_{CommonCore,CommonDataModel,CommonExecutionModel,FiltersCore,FiltersExtraction,ParallelCore,IOCore,IOGeometry,IOLegacy,IOXML,IOXMLParser}=YES \
