@@ -85,7 +85,7 @@ def problems(wheel, program):
             write_inputs(program.parent, folder / kind)
             run("sh", "-e", "-c", commands, path=f"{programs}:/usr/bin:/bin", folder=folder / kind)
             found[kind] = surfaces(folder / kind)
-        if "data-viewer" not in (folder / "wheel" / "small.html").read_text(encoding="utf-8"):
+        if '<section class="viewer">' not in (folder / "wheel" / "small.html").read_text(encoding="utf-8"):
             yield "the page has no interactive view"
     for file in sorted(found["wheel"].keys() | found["Debian"].keys()):
         if found["wheel"].get(file) != found["Debian"].get(file):
