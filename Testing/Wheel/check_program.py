@@ -5,7 +5,7 @@
 
     check_program.py WHEEL [PROGRAM]      PROGRAM by default build/release/bin/bonedecimate, beside bonedecimate-phantom; needs python3-vtk9
 
-Runs all commands of Documentation/command-line.md with both and compares the surfaces they write: the same points and triangles, bit for bit.
+Runs all commands of Documentation/reference/command-line.md with both and compares the surfaces they write: the same points and triangles, bit for bit.
 """
 
 import pathlib
@@ -72,7 +72,7 @@ def surfaces(folder):
 def problems(wheel, program):
     if wheel.stat().st_size > LARGEST_WHEEL:
         yield f"{wheel.name} is larger than {LARGEST_WHEEL / 1e6:.0f} MB"
-    commands = block(ROOT / "Documentation" / "command-line.md", "Commands", "sh")
+    commands = block(ROOT / "Documentation" / "reference" / "command-line.md", "Commands", "sh")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         scripts = install(wheel, folder / "environment")
