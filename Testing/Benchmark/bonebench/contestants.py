@@ -13,6 +13,7 @@ from pathlib import Path
 from .workers import Outcome, Programs, call
 
 WORKER = Path(__file__).with_name("peer_worker.py")
+TOLERANCE_WORKER = Path(__file__).with_name("tolerance_worker.py")
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import ctypes
 import importlib.metadata
 import json
+import resource
 import sys
 import time
 from pathlib import Path
@@ -26,13 +27,14 @@ Prepared = tuple[Callable[[], Any], Result]
 
 
 def read_ply(path: str) -> tuple[Points, Corners]:
-    """The benchmark's own files: float32 points, triangles."""
+    """The benchmark's own files: float32 points of inputs, float64 of results, triangles."""
     data = Path(path).read_bytes()
     head, body = data.split(b"end_header\n", 1)
     words = head.split()
     points, faces = (int(words[words.index(name) + 1]) for name in (b"vertex", b"face"))
-    where = np.frombuffer(body, "<f4", 3 * points).reshape(-1, 3).copy()
-    rows = np.frombuffer(body, np.dtype([("n", "u1"), ("corners", "<i4", 3)]), faces, 12 * points)
+    kind = np.dtype("<f8" if b"double x" in head else "<f4")
+    where = np.frombuffer(body, kind, 3 * points).reshape(-1, 3).copy()
+    rows = np.frombuffer(body, np.dtype([("n", "u1"), ("corners", "<i4", 3)]), faces, where.nbytes)
     return where, np.ascontiguousarray(rows["corners"])
 
 
@@ -46,12 +48,11 @@ def write_ply(path: str, points: np.ndarray, corners: np.ndarray) -> None:
     Path(path).write_bytes(head.encode() + np.ascontiguousarray(points, "<f8").tobytes() + rows.tobytes())
 
 
-def prepare_vtk(points: Points, corners: Corners, faces: int, error: float | None = None) -> Prepared:
-    """vtkQuadricDecimation with its defaults, on a vtkPolyData; its limit of the error has no unit that is written down."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+def vtk_surface(points: Points, corners: Corners) -> Any:
+    """A vtkPolyData."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-    from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 
     coordinates, cells, surface = vtkPoints(), vtkCellArray(), vtkPolyData()
     coordinates.SetData(numpy_to_vtk(points, deep=1))
@@ -59,18 +60,28 @@ def prepare_vtk(points: Points, corners: Corners, faces: int, error: float | Non
     cells.SetData(numpy_to_vtk(offsets, deep=1), numpy_to_vtk(corners.ravel().astype(np.int64), deep=1))
     surface.SetPoints(coordinates)
     surface.SetPolys(cells)
+    return surface
+
+
+def vtk_result(filter_: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Points and corners of its output."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    output = filter_.GetOutput()
+    return (vtk_to_numpy(output.GetPoints().GetData()),
+            vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3))
+
+
+def prepare_vtk(points: Points, corners: Corners, faces: int, error: float | None = None) -> Prepared:
+    """vtkQuadricDecimation with its defaults, to the count, or to a maximum error, whatever the other."""
+    from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
+
     quadric = vtkQuadricDecimation()
-    quadric.SetInputData(surface)
+    quadric.SetInputData(vtk_surface(points, corners))
     quadric.SetTargetReduction(1.0 - faces / len(corners))
     if error is not None:
         quadric.SetMaximumError(error)
-
-    def result() -> tuple[np.ndarray, np.ndarray]:
-        output = quadric.GetOutput()
-        return (vtk_to_numpy(output.GetPoints().GetData()),
-                vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3))
-
-    return quadric.Update, result
+    return quadric.Update, lambda: vtk_result(quadric)
 
 
 def prepare_meshlab(points: Points, corners: Corners, faces: int, topology: bool = False) -> Prepared:
@@ -232,8 +243,6 @@ PREPARE: dict[str, tuple[str, Callable[[Points, Corners, Any], Prepared]]] = {
 }
 # Those whose goal is a length of edges, mm.
 TAKE_LENGTHS = ("meshlab-remeshing", "meshlib-remeshing")
-# Those that have an option for a largest error.
-TAKE_ERRORS = {"vtk": prepare_vtk, "meshoptimizer": prepare_meshoptimizer, "meshlib": prepare_meshlib}
 
 
 def held(field: str) -> int:
@@ -259,48 +268,48 @@ def forget_peak() -> None:
         pass
 
 
-def warm_up(prepare: Callable[[Points, Corners, Any], Prepared]) -> None:
-    """Imports the peer and what it loads at its first call, on a tetrahedron: none of it is the decimation's."""
+def warm_up(prepare: Callable[[Points, Corners, Any], Prepared], goal: float) -> None:
+    """Imports the peer and what it loads at its first call, on a tetrahedron with sides of 1: none of it is the decimation's."""
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32)
     corners = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], np.int32)
     try:
-        prepare(points, corners, 4)[0]()
+        prepare(points, corners, goal)[0]()
     except Exception:  # a peer may reject so small a mesh; it is imported by then
         pass
 
 
-def prepared(peer: str, points: Points, corners: Corners, goal: str) -> Prepared:
-    """For a number of triangles, or with "mm" behind it for a length of edges, or for a largest error and no number."""
-    if peer in TAKE_LENGTHS:
-        return PREPARE[peer][1](points, corners, float(goal.removesuffix("mm")))
-    if goal.endswith("mm"):
-        return TAKE_ERRORS[peer](points, corners, 4, float(goal.removesuffix("mm")))
-    return PREPARE[peer][1](points, corners, int(goal))
+def with_goal(peer: str, goal: str) -> tuple[Callable[[Points, Corners, Any], Prepared], float]:
+    """The function of a peer and its goal: a number of triangles, or with "mm" behind it a length of edges."""
+    return PREPARE[peer][1], float(goal.removesuffix("mm")) if peer in TAKE_LENGTHS else int(goal)
 
 
-def main(peer: str, source: str, target: str, goal: str) -> None:
-    """Reads, decimates under the clock, writes and prints JSON."""
-    package, prepare = PREPARE[peer]
-    warm_up(prepare)
+def measure(version: str, prepare: Callable[[Points, Corners, Any], Prepared], source: str, target: str, goal: float,
+            first_goal: float) -> None:
+    """Reads, runs under the clock, writes and prints JSON. first_goal: of the call on a tetrahedron, which is not measured."""
+    warm_up(prepare, first_goal)
     give_back_memory()
     program = held("VmRSS:")
-    points, corners = read_ply(source)
-    call, result = prepared(peer, points, corners, goal)
-    if peer not in ("meshoptimizer", "fast-simplification"):  # those two hold the arrays themselves
-        del points, corners
+    call, result = prepare(*read_ply(source), goal)
     give_back_memory()
     forget_peak()
     with_input = held("VmRSS:")
-    cpu, wall = time.process_time(), time.perf_counter()
+    cpu, wall = processor_seconds(), time.perf_counter()
     call()
-    wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
+    wall, cpu = time.perf_counter() - wall, processor_seconds() - cpu
     most = held("VmHWM:")
     vertices, triangles = result()
     write_ply(target, vertices, triangles)
     print("\n" + json.dumps({
-        "triangles": len(triangles), "version": importlib.metadata.version(package), "seconds": wall,
-        "cpu_seconds": cpu, "input_bytes": with_input - program, "peak_bytes": most - with_input}))
+        "triangles": len(triangles), "version": version, "seconds": wall, "cpu_seconds": cpu,
+        "input_bytes": with_input - program, "peak_bytes": most - with_input}))
+
+
+def processor_seconds() -> float:
+    """Of this process and of those it has run."""
+    children = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return time.process_time() + children.ru_utime + children.ru_stime
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:5])
+    worker, wanted = with_goal(sys.argv[1], sys.argv[4])
+    measure(importlib.metadata.version(PREPARE[sys.argv[1]][0]), worker, *sys.argv[2:4], wanted, 4)

@@ -13,11 +13,11 @@ from typing import Any, Iterator, Sequence
 
 from .bones import Bone
 from .contest import Verifier
-from .contestants import WORKER, Contestant
+from .contestants import TOLERANCE_WORKER, Contestant
 from .workers import Outcome, Programs, call
 
 ERRORS = (0.1, 0.2, 0.5, 1.0)  # mm
-TAKE_ERRORS = ("vtk", "meshoptimizer", "meshlib")  # peer_worker.py
+TAKE_ERRORS = ("vtk", "meshoptimizer", "meshlib")  # tolerance_worker.py
 BY_TRIAL = ("cgal", "vtk", "meshlab-topology", "meshoptimizer", "meshlib")  # those nearest to the original, and the default
 CLOSE_ENOUGH = 1.05  # triangles between the trial that stays within the error and the next that does not
 FEWEST = 0.003  # of the triangles: where trials begin
@@ -89,7 +89,7 @@ def of_peers(programs: Programs, verifier: Verifier, bone: Bone, peers: Sequence
         for error in ERRORS:
             by_error: Outcome = {}
             if peer.key in TAKE_ERRORS:
-                by_error = call([sys.executable, "-B", WORKER, peer.key, bone.file, result, f"{error}mm"])
+                by_error = call([sys.executable, "-B", TOLERANCE_WORKER, peer.key, bone.file, result, error])
                 by_error["measured"] = {} if "failure" in by_error else verifier.compare(bone.file, result)
             yield {"bone": bone.name, "error": error, "key": peer.key, "name": peer.name, "by_error": by_error,
                    "by_trial": trials.fewest(error)}

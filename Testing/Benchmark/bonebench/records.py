@@ -8,7 +8,7 @@ import csv
 import json
 import statistics
 from pathlib import Path
-from typing import Any, Iterable
+from typing import Any, Iterable, Sequence
 
 Figures = dict[str, Any]
 Record = dict[str, str]
@@ -182,6 +182,22 @@ def conditions(figures: Figures) -> dict[str, Any]:
             "runs": figures.get("parts", 1), "versions": versions, "notes": figures["complaints"]}
 
 
+def write_file(file: Path, columns: Sequence[str], records: Iterable[Record]) -> None:
+    """A CSV file."""
+    with file.open("w", newline="", encoding="utf-8") as stream:
+        writer = csv.DictWriter(stream, columns, restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(records)
+
+
+def read_file(file: Path) -> list[Record]:
+    """The lines of a CSV file; none if it is missing."""
+    if not file.is_file():
+        return []
+    with file.open(newline="", encoding="utf-8") as stream:
+        return list(csv.DictReader(stream))
+
+
 def write(folder: Path, figures: Figures) -> None:
     """One CSV file per kind that has records, and run.json."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -189,21 +205,11 @@ def write(folder: Path, figures: Figures) -> None:
         file = folder / f"{kind}.csv"
         file.unlink(missing_ok=True)
         if records:
-            with file.open("w", newline="", encoding="utf-8") as stream:
-                writer = csv.DictWriter(stream, COLUMNS[kind], restval="", lineterminator="\n")
-                writer.writeheader()
-                writer.writerows(records)
+            write_file(file, COLUMNS[kind], records)
     (folder / "run.json").write_text(json.dumps(conditions(figures), indent=1) + "\n", encoding="utf-8")
 
 
 def read(folder: Path) -> tuple[Records, dict[str, Any]]:
     """The records of a folder and the conditions of the run."""
-    found: Records = {}
-    for kind in COLUMNS:
-        file = folder / f"{kind}.csv"
-        if file.is_file():
-            with file.open(newline="", encoding="utf-8") as stream:
-                found[kind] = list(csv.DictReader(stream))
-        else:
-            found[kind] = []
+    found = {kind: read_file(folder / f"{kind}.csv") for kind in COLUMNS}
     return found, json.loads((folder / "run.json").read_text(encoding="utf-8"))

@@ -5,6 +5,8 @@
 from __future__ import annotations
 
 import json
+import resource
+import signal
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -29,21 +31,43 @@ class Programs:
         return self.path(name).is_file()
 
 
-def call(command: Sequence[object], seconds: float = LONGEST_SECONDS) -> Outcome:
-    """Runs the command and returns the JSON it printed last, or {"failure": why}."""
-    words = [str(word) for word in command]
+def run(command: Sequence[object], seconds: float = LONGEST_SECONDS, cpu_seconds: int | None = None) -> tuple[str, str]:
+    """Runs the command: why it failed, empty if it did not, and what it printed. cpu_seconds: limit of processor time."""
+    def limit() -> None:
+        if cpu_seconds is not None:
+            resource.setrlimit(resource.RLIMIT_CPU, (cpu_seconds, cpu_seconds + 5))
+
     try:
-        done = subprocess.run(words, capture_output=True, text=True, timeout=seconds, check=False)
+        done = subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=seconds, check=False,
+                              errors="replace", preexec_fn=limit)
     except subprocess.TimeoutExpired:
-        return {"failure": f"not done after {seconds:.0f} s"}
+        return f"not done after {seconds:.0f} s", ""
     except OSError as failure:
-        return {"failure": str(failure)}
-    if done.returncode != 0:
+        return str(failure), ""
+    if -done.returncode == signal.SIGXCPU:
+        return f"not done after {cpu_seconds} s of processor time", ""
+    if done.returncode < 0:
+        return f"ended by {signal.Signals(-done.returncode).name}", ""
+    if done.returncode > 0:
         said = done.stderr.strip().splitlines()
-        return {"failure": said[-1] if said else f"ended with code {done.returncode}"}
-    begin = max(done.stdout.rfind("\n{"), 0 if done.stdout.startswith("{") else -1)
+        return said[-1] if said else f"ended with code {done.returncode}", ""
+    return "", done.stdout
+
+
+def processor_seconds() -> float:
+    """Of all commands so far."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def call(command: Sequence[object], seconds: float = LONGEST_SECONDS, cpu_seconds: int | None = None) -> Outcome:
+    """Runs the command and returns the JSON it printed last, or {"failure": why}."""
+    failure, printed = run(command, seconds, cpu_seconds)
+    if failure:
+        return {"failure": failure}
+    begin = max(printed.rfind("\n{"), 0 if printed.startswith("{") else -1)
     try:
-        outcome: Outcome = json.loads(done.stdout[begin:])
+        outcome: Outcome = json.loads(printed[begin:])
     except ValueError:
         return {"failure": "printed no JSON"}
     return outcome

@@ -1,0 +1,279 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each program gets a largest distance in mm, and its result is measured independently of it.
+
+    python3 -m bonebench.audit --programs FOLDER --work FOLDER [--write-docs] [--bone FILE ...]
+
+A line of audit.csv for each bone, program and tolerance, failures included. Lines that the file has are not measured again.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import os
+import shutil
+import struct
+import sys
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Callable, Sequence
+
+from . import audit_page, certificates
+from .bones import Bone, Workshop
+from .contest import Verifier
+from .contestants import TOLERANCE_WORKER, WORKER, our_modes
+from .records import Record, read_file, text, write_file
+from .workers import Outcome, Programs, call, processor_seconds, run
+
+ROOT = Path(__file__).resolve().parents[3]
+TOLERANCES = (0.1, 0.5, 1.0)  # mm
+BONES = ("maxilla", "frontal")  # without --bone
+CPU_SECONDS = 300  # limit of one run
+NODE_PACKAGE = Path(os.environ.get("NODE_PACKAGES", "node"), "node_modules", "meshoptimizer")
+COLUMNS = ("bone", "input_triangles", "input_components", "input_pairs", "program", "version", "tolerance_mm", "requested_triangles", "triangles",
+           "lower_mm", "true_mm", "to_original_mm", "to_result_mm", "sampled_mm", "components", "non_manifold_edges",
+           "self_intersecting_pairs", "cpu_seconds", "fast_triangles", "failure", "command")
+
+
+@dataclass(frozen=True)
+class Request:
+    """The arguments of a run."""
+
+    programs: Programs
+    bone: Path
+    result: Path
+    tolerance: float  # mm
+    count: int = 0  # triangles of mode Fast with this tolerance, for programs that take nothing but a number
+
+
+Command = Callable[[Request], Sequence[object]]
+
+
+def with_mode(mode: str) -> Command:
+    """A mode of this project with the largest error."""
+    return lambda request: [request.programs.path("run"), request.bone, request.result, "core", mode, 1, "--error", request.tolerance]
+
+
+def with_tolerance(key: str) -> Command:
+    """A peer of tolerance_worker.py."""
+    return lambda request: [sys.executable, "-B", TOLERANCE_WORKER, key, request.bone, request.result, request.tolerance]
+
+
+def with_count(key: str) -> Command:
+    """A peer of peer_worker.py that takes no tolerance, at the number of triangles of Fast."""
+    return lambda request: [sys.executable, "-B", WORKER, key, request.bone, request.result, request.count]
+
+
+def with_openmesh(request: Request) -> Sequence[object]:
+    """The command of Debian's libopenmesh-apps: quadrics order the collapses, ModHausdorff and normals limit them."""
+    return ["OpenMesh-commandlineDecimater", "-M", "Q", "-M", f"HD:{request.tolerance}", "-M", "NF:60", "-n", "0.0001",
+            "-i", request.bone, "-o", request.result]
+
+
+def with_cgal_envelope(request: Request) -> Sequence[object]:
+    """CGAL's edge collapse with Polyhedral_envelope_filter."""
+    return [request.programs.path("cgal"), request.bone, request.result, f"{request.tolerance}mm"]
+
+
+def with_cgal_count(request: Request) -> Sequence[object]:
+    """CGAL's edge collapse at the number of triangles of Fast."""
+    return [request.programs.path("cgal"), request.bone, request.result, request.count]
+
+
+@dataclass(frozen=True)
+class Program:
+    """A row of the audit. needs: a Python module, a command, a file, or a program of the benchmark."""
+
+    name: str
+    needs: str
+    command: Command
+    setting: str
+
+    @property
+    def takes_count(self) -> bool:
+        """Whether it has no tolerance."""
+        return self.setting.startswith("no tolerance")
+
+    def is_here(self, programs: Programs) -> bool:
+        """Whether it can run."""
+        return (programs.has(self.needs) or Path(self.needs).exists() or shutil.which(self.needs) is not None
+                or importlib.util.find_spec(self.needs.replace("/", "_")) is not None)
+
+
+FAST_COUNT = "no tolerance; gets the number of triangles of **Fast**"
+PROGRAMS = (
+    Program("OpenMesh ModHausdorff", "OpenMesh-commandlineDecimater", with_openmesh,
+            "`-M Q -M HD:mm -M NF:60 -n 0.0001` of its command line: largest distance of removed points"),
+    Program("mmgs", "mmgpy", with_tolerance("mmgs"), "`hausd`, \"maximal Hausdorff distance\" of its manual"),
+    Program("Manifold", "manifold3d", with_tolerance("manifold"),
+            "`simplify(tolerance)`: \"all surfaces will have moved by less than tolerance\""),
+    Program("MeshLib", "meshlib", with_tolerance("meshlib"), "`maxError`, \"estimated distance deviation from the original mesh\""),
+    Program("meshoptimizer simplify", "meshoptimizer", with_tolerance("meshoptimizer"),
+            "`target_error` with `ErrorAbsolute`, \"an approximate measure of the deviation\""),
+    Program("meshoptimizer simplifyWithUpdate", str(NODE_PACKAGE), with_tolerance("meshoptimizer-update"), "the same"),
+    Program("vtkDecimatePro", "vtkmodules", with_tolerance("decimate-pro"),
+            "`AbsoluteError` with `AccumulateError`, \"a global error bounds\"; `PreserveTopology`"),
+    Program("vtkQuadricDecimation", "vtkmodules", with_tolerance("vtk"), "`MaximumError`, \"maximum allowed absolute error\""),
+    Program("MeshLab isotropic remeshing", "pymeshlab", with_tolerance("meshlab-remeshing"),
+            "`maxsurfdist`; `adaptive`, `targetlen` ten times the tolerance"),
+    Program("CGAL polyhedral envelope", "cgal", with_cgal_envelope,
+            "`Polyhedral_envelope_filter(distance)` on Lindstrom-Turk: the result is within the envelope of the input"),
+    Program("fTetWild", "pytetwild", with_tolerance("ftetwild"),
+            "`epsilon`, relative to the diagonal; surface of the tetrahedra, `coarsen`"),
+    Program("Open3D", "open3d", with_tolerance("open3d"),
+            "`maximum_error`, \"the maximum error where a vertex is allowed to be merged\", without a unit"),
+    Program("pyfqmr", "pyfqmr", with_tolerance("pyfqmr"),
+            "`simplify_mesh_lossless(epsilon)`, \"maximal error after which a vertex is not deleted\", without a unit"),
+    Program("MeshLab quadric", "pymeshlab", with_count("meshlab"), FAST_COUNT),
+    Program("fast-simplification", "fast_simplification", with_count("fast-simplification"), FAST_COUNT),
+    Program("CGAL Lindstrom-Turk", "cgal", with_cgal_count, FAST_COUNT),
+)
+
+
+def measured(request: Request, program: Program) -> Outcome:
+    """Runs a program once: its JSON, or the same of OpenMesh, which prints none; and its command line without folders."""
+    command, before = program.command(request), processor_seconds()
+    request.result.unlink(missing_ok=True)
+    if program.command is not with_openmesh:
+        outcome = call(command, cpu_seconds=CPU_SECONDS)
+    else:
+        failure, _ = run(command, cpu_seconds=CPU_SECONDS)
+        seconds, (_, version) = processor_seconds() - before, run(["dpkg-query", "-Wf${Version}", "libopenmesh-apps"])
+        outcome = {"failure": failure} if failure else {
+            "version": version, "cpu_seconds": seconds, "triangles": to_binary(request.result)}
+    return {**outcome, "command": " ".join(Path(str(word)).name for word in command)}
+
+
+def to_binary(ply: Path) -> int:
+    """Rewrites the text that OpenMesh writes as the verifier reads it; returns the number of triangles."""
+    lines = ply.read_text(encoding="ascii").splitlines()
+    head = lines.index("end_header") + 1
+    points, faces = (int(line.split()[2]) for line in lines[:head] if line.startswith("element"))
+    where = (struct.pack("<3d", *map(float, line.split()[:3])) for line in lines[head:head + points])
+    corners = (struct.pack("<B3i", *map(int, line.split()[:4])) for line in lines[head + points:head + points + faces])
+    header = "\n".join(lines[:head]).replace("ascii", "binary_little_endian").replace(" float", " double") + "\n"
+    ply.write_bytes(header.encode() + b"".join(where) + b"".join(corners))
+    return faces
+
+
+def measures(request: Request, verifier: Verifier, is_ours: bool) -> dict[str, str]:
+    """The columns of a result that are measured."""
+    proved = certificates.certificate(request.programs, request.bone, request.result)
+    sampled = verifier.compare(request.bone, request.result)
+    if not proved or not sampled:
+        return {"failure": "its result cannot be measured"}
+    fast = with_mode("Fast")(replace(request, result=request.result.with_suffix(".fast.ply"), tolerance=proved["upper"]))
+    return {"lower_mm": f"{proved['lower']:.7f}", "true_mm": f"{proved['upper']:.7f}",
+            "to_original_mm": f"{proved['result_to_reference']['upper']:.7f}",
+            "to_result_mm": f"{proved['reference_to_result']['upper']:.7f}", "sampled_mm": f"{sampled['hausdorff']:.7f}",
+            "components": text(sampled["components"]), "non_manifold_edges": text(sampled["non_manifold_edges"]),
+            "self_intersecting_pairs": text(sampled["self_intersections"]),
+            "fast_triangles": "" if is_ours else text(call(fast, cpu_seconds=CPU_SECONDS).get("triangles"))}
+
+
+def record_of(request: Request, program: Program, verifier: Verifier) -> Record:
+    """A line of the file without its first columns."""
+    outcome = measured(request, program)
+    commit = f" ({run(['git', '-C', ROOT, 'rev-parse', '--short=8', 'HEAD'])[1].strip()})" if program.needs == "run" else ""
+    found = {"program": program.name, "version": outcome.get("version", "") + commit, "tolerance_mm": text(request.tolerance),
+             "requested_triangles": text(request.count) if program.takes_count else "", "triangles": text(outcome.get("triangles")),
+             "cpu_seconds": text(outcome.get("cpu_seconds"), 3), "failure": outcome.get("failure", ""), "command": outcome["command"]}
+    if not found["failure"]:
+        found.update(measures(request, verifier, program.needs == "run") if outcome["triangles"] else {"failure": "its result has no triangles"})
+    return found
+
+
+class Audit:
+    """The lines of a file, which is written again after each."""
+
+    def __init__(self, file: Path) -> None:
+        self.file = file
+        self.records = read_file(file)
+
+    def has(self, bone: Bone, program: Program, tolerance: float) -> bool:
+        """Whether the file has the line."""
+        return self.find(bone, program.name, tolerance) is not None
+
+    def find(self, bone: Bone, name: str, tolerance: float) -> Record | None:
+        """The line, or None."""
+        key = (bone.name, name, text(tolerance))
+        return next((r for r in self.records if (r["bone"], r["program"], r["tolerance_mm"]) == key), None)
+
+    def add(self, record: Record) -> None:
+        """Adds a line and writes the file."""
+        self.records.append(record)
+        write_file(self.file, COLUMNS, self.records)
+
+
+def run_bone(audit: Audit, programs: Programs, verifier: Verifier, bone: Bone, chosen: Sequence[Program], folder: Path) -> None:
+    """Every program with every tolerance on a bone; Fast first, whose numbers of triangles others get."""
+    shape = verifier.describe(bone.file)
+    for tolerance in TOLERANCES:
+        for program in chosen:
+            if audit.has(bone, program, tolerance):
+                continue
+            fast = audit.find(bone, "Fast", tolerance) or {}
+            name = f"{bone.name}-{program.name}-{tolerance:g}.ply".replace(" ", "-")
+            request = Request(programs, bone.file, folder / name, tolerance, int(fast.get("triangles") or 0))
+            found = record_of(request, program, verifier)
+            audit.add({"bone": bone.name, "input_triangles": text(bone.triangles), "input_components": text(shape["components"]),
+                       "input_pairs": text(shape["self_intersections"]), **found})
+            print(f"  {bone.name} {tolerance:g} mm {program.name}: {found['triangles']} triangles, {found.get('true_mm')} mm "
+                  f"{found['failure']}", flush=True)
+
+
+def arguments() -> argparse.Namespace:
+    """The options of the command line."""
+    parser = argparse.ArgumentParser(prog="audit.sh", description="Each program gets a largest distance; its result is measured.")
+    parser.add_argument("--bone", action="append", default=[], metavar="FILE", help="a surface file, or the name of a bone of the benchmark")
+    parser.add_argument("--only", metavar="A,B", help="only these programs, by their names")
+    parser.add_argument("--certificates", action="store_true", help="compare the certificate with other programs on the results")
+    parser.add_argument("--samples", type=int, default=200000, help="samples in each direction (200000)")
+    parser.add_argument("--with-meshlib", action="store_true", help="let MeshLib take part; its license is for non-commercial use")
+    parser.add_argument("--write-docs", action="store_true", help="write Documentation/results/audit.md and its data")
+    parser.add_argument("--programs", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
+    return parser.parse_args()
+
+
+def our_programs(programs: Programs) -> list[Program]:
+    """The modes that prove an error, Fast first."""
+    return [Program(mode, "run", with_mode(mode), "`MaximumError`, proved in both directions")
+            for mode in our_modes(programs, "proving")]
+
+
+def participants(options: argparse.Namespace, programs: Programs) -> list[Program]:
+    """The modes and the programs that can run; prints which cannot."""
+    peers = [program for program in PROGRAMS if options.with_meshlib or program.name != "MeshLib"]
+    for program in peers:
+        if not program.is_here(programs):
+            print(f"{program.name} does not take part: {program.needs} is missing")
+    return [program for program in (*our_programs(programs), *peers)
+            if program.is_here(programs) and (not options.only or program.name in options.only.split(","))]
+
+
+def main() -> int:
+    """Measures and writes."""
+    options = arguments()
+    programs, work = Programs(options.programs.resolve()), options.work.resolve()
+    folder = work / "audit"
+    folder.mkdir(parents=True, exist_ok=True)
+    workshop, verifier = Workshop(programs, work), Verifier(programs, options.samples)
+    audit, chosen = Audit(folder / "audit.csv"), participants(options, programs)
+    made = [workshop.file(Path(name), (1.0,)) if Path(name).is_file() else workshop.bone(name, (1.0,)) for name in options.bone or BONES]
+    bones = [bone for bone in made if bone is not None]
+    for bone in bones:
+        run_bone(audit, programs, verifier, bone, chosen, folder)
+    if options.certificates:
+        certificates.compare(programs, work, [bone.name for bone in bones])
+    print(*workshop.complaints, sep="\n")
+    settings = {program.name: program.setting for program in (*our_programs(programs), *PROGRAMS)}
+    (folder / "audit.md").write_text(audit_page.page(folder, settings), encoding="utf-8")
+    if options.write_docs:
+        audit_page.write(folder, settings)
+    return 0 if audit.records else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
