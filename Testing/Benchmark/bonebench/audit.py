@@ -136,9 +136,9 @@ def measured(request: Request, program: Program) -> Outcome:
     command, before = program.command(request), processor_seconds()
     request.result.unlink(missing_ok=True)
     if program.command is not with_openmesh:
-        outcome = call(command, cpu_seconds=CPU_SECONDS)
+        outcome = call(command, 10 * CPU_SECONDS, CPU_SECONDS)
     else:
-        failure, _ = run(command, cpu_seconds=CPU_SECONDS)
+        failure, _ = run(command, 10 * CPU_SECONDS, CPU_SECONDS)
         seconds, (_, version) = processor_seconds() - before, run(["dpkg-query", "-Wf${Version}", "libopenmesh-apps"])
         outcome = {"failure": failure} if failure else {
             "version": version, "cpu_seconds": seconds, "triangles": to_binary(request.result)}
@@ -169,7 +169,7 @@ def measures(request: Request, verifier: Verifier, is_ours: bool) -> dict[str, s
             "to_result_mm": f"{proved['reference_to_result']['upper']:.7f}", "sampled_mm": f"{sampled['hausdorff']:.7f}",
             "components": text(sampled["components"]), "non_manifold_edges": text(sampled["non_manifold_edges"]),
             "self_intersecting_pairs": text(sampled["self_intersections"]),
-            "fast_triangles": "" if is_ours else text(call(fast, cpu_seconds=CPU_SECONDS).get("triangles"))}
+            "fast_triangles": "" if is_ours else text(call(fast, 10 * CPU_SECONDS, CPU_SECONDS).get("triangles"))}
 
 
 def record_of(request: Request, program: Program, verifier: Verifier) -> Record:

@@ -121,6 +121,15 @@ def better(records: Sequence[Record]) -> str:
                      "intersecting pairs"], lines) if lines else "No result.\n"
 
 
+def faster(records: Sequence[Record]) -> str:
+    """The programs with fewer CPU seconds than Fast in the median, the fastest first."""
+    seconds = {name: statistics.median(float(r["cpu_seconds"]) for r in measured(records) if r["program"] == name)
+               for name in names(measured(records), "program")}
+    ahead = sorted((name for name in seconds if seconds[name] < seconds.get("Fast", 0.0)), key=seconds.__getitem__)
+    return (f"CPU seconds in the median, against {number(seconds.get('Fast'))} of `Fast`, which proves the distance: "
+            + (", ".join(f"{name} {number(seconds[name])}" for name in ahead) or "none") + ".\n")
+
+
 def failures(records: Sequence[Record]) -> str:
     """Reason and command line of each run without a result."""
     lines = [[record["bone"], f"{record['tolerance_mm']} mm", record["program"], record["failure"], f"`{record['command']}`"]
@@ -161,7 +170,8 @@ def page(folder: Path, settings: dict[str, str]) -> str:
         mine = [record for record in records if record["bone"] == bone]
         parts += [f"### {bone}\n", f"{count(mine[0]['input_triangles'])} triangles, components: {mine[0]['input_components']}, "
                   f"intersecting pairs: {mine[0]['input_pairs']}.\n", of_bone(mine)]
-    parts += ["## Where another program needs fewer triangles\n", better(records), "## Failures\n", failures(records)]
+    parts += ["## Where another program needs fewer triangles\n", better(records),
+              "## Which programs are faster?\n", faster(records), "## Failures\n", failures(records)]
     if compared:
         parts += ["## The certificate beside other programs\n", CERTIFICATES, beside_others(compared)]
     return "\n".join(parts)

@@ -156,7 +156,7 @@ def readme_section(data: Records, run: dict[str, Any]) -> str:
             f"The {bone} of a CT, {int(source['triangles']):,} triangles" + (f" in {pieces} components" if pieces > 1 else "")
             + f", reduced to {int(count):,} on one thread; this project in bold. Average and RMS: the\n"
             "larger of both directions. H: the largest distance of both. [All figures](Documentation/results/benchmark.md) "
-            "(`Testing/Benchmark/run.sh`).\n",
+            "(`Testing/Benchmark/run.sh`).\nWhat tolerances of other programs are worth: [audit](Documentation/results/audit.md).\n",
             tables.summary(data["comparison"], (bone, count), full=False)]
     text += [f"{note}\n" for note in run["notes"] if "do not quote" in note and bone not in note]
     return "\n".join([*text, END])
