@@ -117,7 +117,7 @@ class HostileValues(ApplicationTest):
     def test_every_command_has_its_numbers(self):
         found = {command: {flag.name for flag in self.flags(command)} for command in COMMANDS}
         self.assertLessEqual({"--max-error", "--target-triangles", "--iso", "--jobs", "--threads"}, found[""])
-        self.assertEqual(found["certify"], {"--tolerance", "--gap", "--mean-precision", "--threads", "--label", "--spacing"})
+        self.assertEqual(found["certify"], {"--tolerance", "--iso", "--gap", "--mean-precision", "--threads", "--label", "--spacing"})
         self.assertEqual(found["tolerance"], {"--triangles", "--precision", "--smooth", "--feature-angle", "--label", "--spacing", "--threads"})
         self.assertEqual(found["curve"], {"--errors", "--smooth", "--feature-angle", "--label", "--spacing", "--threads"})
         self.assertEqual(found["levels"], {"--coarsest", "--max-error", "--triangles", "--errors", "--smooth", "--feature-angle", "--label", "--spacing", "--threads"})
