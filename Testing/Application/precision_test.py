@@ -159,7 +159,7 @@ class Precision(ApplicationTest):
                     self.path(name).write_bytes(form(points, triangles))
                     words = ("--also", "out.obj", "--max-error", error, "--report", "report.json", *UNMEASURED)
                     text = self.succeed(name, "out.ply", *words).stdout
-                    printed = float(re.search(r"(?m)^proved +<= (\S+) mm", text).group(1))
+                    printed = float(re.search(r"(?m)^proved +at most (\S+) mm", text).group(1))
                     for output in ("out.ply", "out.obj"):
                         self.assertLessEqual(true_distance(exact, corners_of(self.path(output))), printed)
                     self.assertLess(self.report()["output"]["triangles"], len(triangles))
@@ -183,7 +183,7 @@ class Precision(ApplicationTest):
         points, triangles = far_torus(1e4)
         self.path("in.obj").write_bytes(obj_of(points, triangles))
         text = self.succeed("in.obj", "out.stl", "--max-error", 0.05, *UNMEASURED).stdout
-        printed = float(re.search(r"(?m)^proved +<= (\S+) mm", text).group(1))
+        printed = float(re.search(r"(?m)^proved +at most (\S+) mm", text).group(1))
         exact = points.astype(EXTENDED)[triangles]
         self.assertLessEqual(true_distance(exact, corners_of(self.path("out.stl"))), printed)
 

@@ -112,7 +112,7 @@ class Report(unittest.TestCase):
         reference.Update()
         report = json.loads(reference.report_as_json)
         self.assertEqual(problems(report, REPORT), [])
-        of_program = {"changed_before", "command_line", "files", "model_grid", "segments", "settings", "slabs", "warnings", "notes"}
+        of_program = {"changed_before", "command_line", "files", "model_grid", "segments", "settings", "slabs", "specks", "warnings", "notes"}
         self.assertEqual(set(REPORT["properties"]) - parts - set(report) - of_program - {"fragment_gap"}, set(), "shown by no run")
 
     def test_before_a_run_has_the_form_of_its_schema(self):

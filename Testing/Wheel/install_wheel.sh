@@ -23,6 +23,6 @@ fi
 PYTHON=$PYTHON "$folder/tree/Utilities/build_wheel.sh" "$folder/dist"
 wheel=$(echo "$folder"/dist/bonedecimate-*.whl)
 "$PYTHON" -m venv "$folder/environment"
-"$folder/environment/bin/pip" -q install --disable-pip-version-check "$wheel[pyvista,progress]" \
+"$folder/environment/bin/pip" -q install --disable-pip-version-check "$wheel[pyvista,progress,files]" \
   highdicom nibabel pydicom pynrrd SimpleITK tifffile # images, for tests alone
 "$folder/environment/bin/pip" -q install --disable-pip-version-check --no-deps --target "$folder/alone" "$wheel"

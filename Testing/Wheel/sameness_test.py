@@ -16,7 +16,7 @@ with open(os.environ["REFERENCE"], encoding="utf-8") as _file:
 SAME_VTK = REFERENCE["vtk"] == vtkVersion.GetVTKVersion()
 # Of VTK's own machinery around every C++ class.
 MACHINERY = {"AddInputData", "GetClassName", "GetInputData", "IsA", "IsTypeOf", "NewInstance", "SafeDownCast",
-             "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType", "ErrorPresets", "InputArrays", "KeepVoxelsChoices", "Modes", "ProofStatuses", "StopReasons"}
+             "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType", "ErrorCodes", "ErrorPresets", "InputArrays", "KeepVoxelsChoices", "Modes", "ProofStatuses", "StopReasons"}
 
 
 class Sameness(unittest.TestCase):

@@ -388,7 +388,8 @@ for _mode in _core.Mode:
 for _value, _name in enumerate(("NO_PROOF", "PROVED", "VIOLATED", "UNDECIDED", "PROOF_ABORTED")):
     setattr(vtkBoneDecimate, _name, _value)
 vtkBoneDecimate.TOLERANCE_ARRAY, vtkBoneDecimate.LABEL_ARRAY = 0, 1
-vtkBoneDecimate.REJECTED_RUN, vtkBoneDecimate.NOT_PROVED = 40002, 40003  # as in C++
+for _value, _name in enumerate(("REJECTED_VALUE", "REJECTED_RUN", "NOT_PROVED"), 40001):  # as in C++
+    setattr(vtkBoneDecimate, _name, _value)
 for _enumeration in (_core.Mode, _core.ErrorPreset, _core.KeepVoxels, _core.StopReason):
     for _member in _enumeration:
         setattr(vtkBoneDecimate, words(_member.name, "_").upper(), _member.value)
