@@ -114,7 +114,7 @@ class AProof(ApplicationTest):
         report = json.loads(fields.GetAbstractArray("BoneDecimateReport").GetValue(0))
         self.assertEqual(set(report["proof"]), {"if_unchanged", "sentence"})
         self.assertRegex(report["output"]["checksum"], "^triangles:[0-9a-f]{16}$")
-        self.assertTrue(report["proof"]["sentence"].startswith("only of the surface whose triangles have output.checksum: <= 0."))
+        self.assertTrue(report["proof"]["sentence"].startswith("only of the surface whose triangles have output.checksum: at most 0."))
         for i in range(fields.GetNumberOfArrays()):
             self.assertFalse(fields.GetArrayName(i) in ("bonedecimate.proof.status", "bonedecimate.proof.upper"))
 
