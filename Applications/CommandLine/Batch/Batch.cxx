@@ -256,12 +256,9 @@ private:
       return this->EndOwn(job.Bone, "failed", job.CodeOfExcess, job.Excess + ", and was stopped");
     }
     const bool stopped = code == ExitCode::Interrupted;
-    if (code != ExitCode::Done && !stopped)
-    {
-      this->WriteLog(job);
-    }
-    this->EndOwn(job.Bone, code == ExitCode::Done ? "done" : (stopped ? "interrupted" : "failed"),
-      code, job.Child.GetMessage());
+    const bool failed = code != ExitCode::Done && !stopped;
+    this->EndOwn(job.Bone, failed ? "failed" : (stopped ? "interrupted" : "done"), code,
+      failed ? this->WriteLog(job) : job.Child.GetMessage());
   }
 
   std::string LogOf(std::size_t bone) const
@@ -269,15 +266,19 @@ private:
     return this->Requested.Output + "/" + this->Bones[bone].Name + ".log";
   }
 
-  /// All that an input said before it failed; its row has the first line.
-  void WriteLog(const BatchJob& job) const
+  /// Writes all that an input said before it failed.  @return The first line of that, and if the log
+  /// could not be written, why.
+  std::string WriteLog(const BatchJob& job) const
   {
+    const std::string message = job.Child.GetMessage();
     try
     {
       WriteTextFile(this->LogOf(job.Bone), job.Child.GetErrors());
+      return message;
     }
-    catch (const Failure&) // the row is enough
+    catch (const Failure& failure)
     {
+      return message + "; its log: " + failure.what();
     }
   }
 

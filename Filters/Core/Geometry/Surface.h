@@ -28,6 +28,7 @@ inline double Dot(const Vector3& a, const Vector3& b)
   return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]);
 }
 
+/// Larger than every distance, limit and cost.
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// mm, along each axis. Beyond it, products of areas would overflow.
