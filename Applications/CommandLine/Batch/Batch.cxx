@@ -266,8 +266,8 @@ private:
     return this->Requested.Output + "/" + this->Bones[bone].Name + ".log";
   }
 
-  /// Writes all that an input said before it failed.  @return The first line of that, and if the log
-  /// could not be written, why.
+  /// Writes all that an input said before it failed.
+  /// @return The first line of that, and why the log could not be written if so.
   std::string WriteLog(const BatchJob& job) const
   {
     const std::string message = job.Child.GetMessage();
