@@ -101,7 +101,9 @@ std::string ComposeCertificatePage(const std::string& certificate)
 {
   const ReportFields report(certificate);
   const std::string name = EscapedXml(PlainText(report.Text("files.result")));
-  const std::string reference = EscapedXml(PlainText(report.Text("files.reference")));
+  const std::optional<double> iso = report.Number("files.iso");
+  const std::string reference = EscapedXml(PlainText(report.Text("files.reference"))) +
+    (iso ? " at " + GroupedText(*iso) + " HU" : "");
   const std::string map = EscapedXml(PlainText(report.Text("files.label_map")));
   return PageBlock("certificate",
     { { "head", PageBlock("head", { { "title", "Certificate of a bone surface: " + name } }) },

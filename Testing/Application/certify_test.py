@@ -136,8 +136,10 @@ class CertifyScan(ApplicationTest):
         write_map(image, self.path("ct.mha"))
 
     def test_compares_with_the_surface_of_the_value(self):
-        text = self.succeed("certify", "ct.mha", "bone.ply", "--iso", 300, "--tolerance", 1e-5).stdout
+        text = self.succeed("certify", "ct.mha", "bone.ply", "--iso", 300, "--tolerance", 1e-5, "--json", "c.json", "--page", "c.html").stdout
+        self.assertIn("ct.mha at 300 HU", self.path("c.html").read_text(encoding="utf-8"))
         self.assertIn("proved <= 0.000010 mm", text)
+        self.assertEqual(self.report("c.json")["files"], {"reference": "ct.mha", "result": "bone.ply", "iso": 300, "unit": "mm"})
         other = self.run_program("certify", "ct.mha", "bone.ply", "--iso", 425, "--tolerance", 0.45)  # half a millimeter inward
         self.assertEqual(other.returncode, VIOLATED)
         self.succeed("certify", "ct.mha", "bone.ply", "--iso", 425, "--tolerance", 0.55)

@@ -158,6 +158,7 @@ class FieldOfView(ApplicationTest):
         for k in range(12):
             self.path(f"ct/{k:02d}.dcm").write_bytes(slice_file(values[:, :, k].T + 1024, k, k))
         self.assertIn("have the constant value 3000", self.succeed("ct", "out.ply", *ISO).stdout)
+        self.assertRegex(self.succeed("certify", "ct", "out.ply", "--iso", "bone").stdout, r"(?m)^left out .*voxels")
 
     def test_a_scan_without_bone_inside_is_rejected(self):
         values = view(3071)

@@ -21,14 +21,21 @@ namespace
 std::map<std::string, std::vector<std::string>> SurfacesIn(const std::string& folder)
 {
   std::map<std::string, std::vector<std::string>> found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(FilePath(folder)))
+  try
   {
-    const std::string file = entry.path().string();
-    if (entry.is_regular_file() && FindFormat(file) != nullptr)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(FilePath(folder)))
     {
-      std::filesystem::path name = entry.path().lexically_relative(FilePath(folder));
-      found[name.replace_extension().generic_string()].push_back(file);
+      const std::string file = entry.path().string();
+      if (entry.is_regular_file() && FindFormat(file) != nullptr)
+      {
+        std::filesystem::path name = entry.path().lexically_relative(FilePath(folder));
+        found[name.replace_extension().generic_string()].push_back(file);
+      }
     }
+  }
+  catch (const std::filesystem::filesystem_error& problem)
+  {
+    Reject(folder, problem.code().message());
   }
   return found;
 }

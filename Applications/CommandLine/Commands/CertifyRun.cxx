@@ -10,10 +10,12 @@
 #include "Files/SurfaceFiles.h"
 #include "Formats/FileChecks.h"
 #include "Formats/FileFrame.h"
+#include "LeftOutOfReader.h"
 #include "PlainText.h"
 #include "Report/JsonReport.h"
 #include "ReportFields.h"
 #include "Runs/FilterRun.h"
+#include "Runs/SlabSource.h"
 
 #include "vtkPointData.h"
 
@@ -58,7 +60,7 @@ std::string CertifyRun::Json() const
     this->Requested.Result(), this->Requested.Map.Path, this->Requested.Tolerance,
     this->Requested.ToleranceArray, this->Requested.Unit.Name,
     this->Voxels ? this->Voxels->Json() : nlohmann::ordered_json(), this->Warnings,
-    this->ReportOfResult, this->Requested.Settings };
+    this->ReportOfResult, this->Requested.Settings, this->Requested.Iso };
   return ComposeJsonCertificate(
     this->Requested.HasReference() ? this->Filter->GetOutput() : nullptr, subject);
 }
@@ -223,6 +225,10 @@ void CertifyRun::ReadScan(const std::string& file)
   if (!bone.Note.empty())
   {
     this->Warnings.push_back(bone.Note);
+  }
+  if (bone.Padding > 0)
+  {
+    AddLeftOutOfReader(PaddingLeftOut(bone.Padding), bone.Surface);
   }
   this->Frame = "LPS";
   this->Filter->SetInputData(0, bone.Surface);

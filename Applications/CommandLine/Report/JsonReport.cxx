@@ -203,6 +203,10 @@ std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject
       report["files"][name] = BaseName(*file);
     }
   }
+  if (subject.Iso)
+  {
+    report["files"]["iso"] = *subject.Iso;
+  }
   report["files"]["unit"] = subject.Unit;
   report["warnings"] = subject.Warnings;
   if (!subject.ReportOfResult.empty())

@@ -87,6 +87,7 @@ struct CertificateSubject
   /// What the report in the file of the result proves; empty: there is none.
   std::string ReportOfResult;
   SettingsRecord Settings;
+  std::optional<double> Iso = {}; ///< HU, of the surface of a volume as the reference.
 };
 
 /// A certificate in the field data of an output of vtkBoneSurfaceDistance in the same way.
