@@ -21,9 +21,8 @@ from .workers import Programs
 
 Rows = tuple[tuple[str, tuple[float, ...]], ...]
 THESIS_COUNTS = (65000.0, 40000.0, 10000.0, 1000.0)
-FULL: Rows = (("maxilla", THESIS_COUNTS), ("frontal", THESIS_COUNTS), ("cranium", (134000.0,)), ("vault", (0.2, 0.05)),
-              ("leg", (0.2, 0.05)), ("specimen-1000000", (0.2,)))
-PROVED_BONES = (("maxilla", 10000.0), ("frontal", 10000.0), ("vault", 2000.0), ("cranium", 134000.0))
+FULL: Rows = (("maxilla", THESIS_COUNTS), ("frontal", THESIS_COUNTS), ("cranium", (134000.0,)))
+PROVED_BONES = (("maxilla", 10000.0), ("frontal", 10000.0), ("cranium", 134000.0))
 QUICK: Rows = (("maxilla", (10000.0,)), ("small-leg", (0.2,)))
 SHORT: Rows = (("small-leg", (0.2,)),)
 
@@ -36,7 +35,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--growth", action="store_true", help="our modes on 0.1 to 10 million triangles, nothing else")
     parser.add_argument("--threads", action="store_true", help="our modes on 1, 2, 4 and 8 threads, nothing else")
     parser.add_argument("--proved", action="store_true",
-                        help="our modes with proved errors and the peers beside them, nothing else")
+                        help="our modes with proved errors, nothing else")
     parser.add_argument("--bone", action="append", nargs="+", default=[], metavar="FILE [COUNT]",
                         help="a surface file and numbers of triangles (below 1: fractions; without: 0.1 0.02); without "
                              "--rows, only these")
@@ -84,7 +83,7 @@ def run_rows(options: argparse.Namespace, bones: list[Bone], contest: Contest, p
 
 
 def run_sections(options: argparse.Namespace, workshop: Workshop, verifier: Verifier, bones: list[Bone],
-                 peers: list[Contestant], figures: dict[str, Any], scratch: Path) -> None:
+                 figures: dict[str, Any], scratch: Path) -> None:
     """Growth, threads, proved errors and the thesis's error mode: all of them without other options."""
     whole = not (options.short or options.growth or options.threads or options.proved or options.quick or options.bone
                  or options.rows)
@@ -95,7 +94,7 @@ def run_sections(options: argparse.Namespace, workshop: Workshop, verifier: Veri
                 figures["errors"] += sections.error_mode(
                     programs, verifier, bone, modes, tuple(thesis.BY_ERROR[bone.name]), scratch)
     if whole or options.proved:
-        run_proved_errors(options, workshop, verifier, peers, figures, scratch)
+        run_proved_errors(options, workshop, verifier, figures, scratch)
     if whole or options.threads:
         parallel = [mode for mode in our_modes(programs, "parallel") if mode in modes]
         candidate = workshop.bone("cranium", (134000.0,)) or workshop.bone("specimen-1000000", (0.2,))
@@ -110,9 +109,9 @@ def run_sections(options: argparse.Namespace, workshop: Workshop, verifier: Veri
             print(f"  {row['triangles']:,} triangles {row['key']}: {row['seconds']:.2f} s", flush=True)
 
 
-def run_proved_errors(options: argparse.Namespace, workshop: Workshop, verifier: Verifier, peers: list[Contestant],
-                 figures: dict[str, Any], scratch: Path) -> None:
-    """Ours and the peers', saved line by line: trials take long."""
+def run_proved_errors(options: argparse.Namespace, workshop: Workshop, verifier: Verifier, figures: dict[str, Any],
+                      scratch: Path) -> None:
+    """Our modes with a largest error, saved line by line."""
     programs = workshop.programs
     proving = chosen_modes(options, our_modes(programs, "proving"))
     for name, count in PROVED_BONES:
@@ -123,15 +122,11 @@ def run_proved_errors(options: argparse.Namespace, workshop: Workshop, verifier:
             figures["proved"].append(row)
             save(options, figures)
             print(f"  {name} {row['error']} mm {row['mode']}, guard {row['guard']}: {row.get('triangles')}", flush=True)
-        for row in proved_errors.of_peers(programs, verifier, bone, peers, scratch):
-            figures["trials"].append(row)
-            save(options, figures)
-            print(f"  {name} {row['error']} mm {row['name']}: {row['by_trial'].get('triangles')} by trial", flush=True)
 
 
 def participants(options: argparse.Namespace, programs: Programs) -> tuple[list[Contestant], list[str]]:
     """The peers of this run, and a sentence for each thing that is missing or amiss."""
-    alone = options.short or options.growth or options.threads
+    alone = options.short or options.growth or options.threads or options.proved
     peers, missing = ([], []) if alone else find_peers(programs, options.with_meshlib)
     if options.peers is not None:
         peers = [peer for peer in peers if peer.key in options.peers.split(",")]
@@ -152,7 +147,6 @@ def measure(options: argparse.Namespace) -> dict[str, Any]:
     """All raw figures of the run."""
     programs, folder = Programs(options.programs.resolve()), options.work.resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    others = machine.Others()
     workshop, verifier = Workshop(programs, folder), Verifier(programs, options.samples)
     peers, missing = participants(options, programs)
     bones = choose_bones(options, workshop)
@@ -160,11 +154,12 @@ def measure(options: argparse.Namespace) -> dict[str, Any]:
         "machine": machine.describe(), "modes": our_modes(programs), "samples": options.samples,
         "rounds": options.rounds or (1 if options.quick or options.short else 3),
         "parts": 1, "rows": [], "growth": [], "threads": [], "errors": [], "proved": [],
-        "trials": [], "complaints": missing}
+        "complaints": missing, "commits": [machine.commit()]}
     with tempfile.TemporaryDirectory(dir=folder) as name:  # of this run alone: another may be at work
         scratch = Path(name)
         run_rows(options, bones, Contest(programs, verifier, scratch), peers, figures)
-        run_sections(options, workshop, verifier, bones, peers, figures, scratch)
+        others = machine.Others()
+        run_sections(options, workshop, verifier, bones, figures, scratch)
     figures["complaints"] = missing + workshop.complaints + [line for line in [others.complaint()] if line]
     return figures
 
@@ -180,8 +175,10 @@ def save(options: argparse.Namespace, figures: dict[str, Any]) -> Path:
 def put_together(files: list[Path]) -> dict[str, Any]:
     """The figures of several runs as one, and how many they were; machine and rounds are the first one's."""
     runs: list[dict[str, Any]] = [json.loads(file.read_text(encoding="utf-8")) for file in files]
-    for key in ("rows", "growth", "threads", "errors", "proved", "trials"):
+    for key in ("rows", "growth", "threads", "errors", "proved"):
         runs[0][key] = [item for run in runs for item in run.get(key, [])]
+    runs[0]["rows"] = quietest(runs[0]["rows"])
+    runs[0]["commits"] = sorted({commit for run in runs for commit in run["commits"]})
     runs[0]["parts"] = sum(run.get("parts", 1) for run in runs)
     runs[0]["complaints"] = list(dict.fromkeys(line for run in runs for line in run["complaints"]))
     # Of how busy the machine was the worst counts; the sentences differ in that number alone.
@@ -194,6 +191,16 @@ def put_together(files: list[Path]) -> dict[str, Any]:
     if len(samples) > 1:
         runs[0]["complaints"].append(f"Some parts have {' or '.join(f'{count:,}' for count in samples)} samples a direction.")
     return runs[0]
+
+
+def quietest(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Of runs of the same row the one with the least other load."""
+    best: dict[tuple[str, int], dict[str, Any]] = {}
+    for row in rows:
+        key = row["bone"], row["requested"]
+        if key not in best or row["others"] < best[key]["others"]:
+            best[key] = row
+    return list(best.values())
 
 
 def draw(figures: dict[str, Any], folder: Path) -> list[str]:
@@ -225,7 +232,7 @@ def main() -> int:
     """Measures and writes."""
     options = arguments()
     figures = put_together(options.earlier) if options.earlier else measure(options)
-    if not any(figures[key] for key in ("rows", "growth", "threads", "proved", "trials")):
+    if not any(figures[key] for key in ("rows", "growth", "threads", "proved")):
         print("nothing was measured:", *figures["complaints"])
         return 1
     write(options, figures)

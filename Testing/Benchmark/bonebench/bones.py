@@ -38,11 +38,11 @@ class Workshop:
         self.complaints: list[str] = []
 
     def bone(self, name: str, goals: tuple[float, ...]) -> Bone | None:
-        """A bone by name: cranium, maxilla, frontal, vault, leg, small-leg, specimen-TRIANGLES."""
+        """A bone by name: cranium, maxilla, frontal, vault, small-leg, specimen-TRIANGLES."""
         if name.startswith("specimen-"):
             return self._made(name, goals, "specimen", name.split("-", 1)[1])
-        if name in ("leg", "small-leg"):
-            return self._made(name, goals, "whole", str(self._phantom("small" if name == "small-leg" else "normal")))
+        if name == "small-leg":
+            return self._made(name, goals, "whole", str(self._phantom()))
         volume = self._cranium()
         if volume is None:
             self.complaints.append(f"{name} is left out: Debian's package invesalius-examples is not installed.")
@@ -65,10 +65,10 @@ class Workshop:
             partial.rename(target)
         return Bone(name, target, count_triangles(target), goals)
 
-    def _phantom(self, size: str) -> Path:
-        volume = self.folder / f"phantom-{size}.mha"
+    def _phantom(self) -> Path:
+        volume = self.folder / "phantom-small.mha"
         if not volume.is_file():
-            subprocess.run([self.programs.path("phantom"), volume, "--size", size], check=True)
+            subprocess.run([self.programs.path("phantom"), volume, "--size", "small"], check=True)
         return volume
 
     def _cranium(self) -> Path | None:

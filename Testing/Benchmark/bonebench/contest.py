@@ -9,9 +9,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from . import machine
 from .bones import Bone
 from .contestants import Contestant
 from .workers import Outcome, Programs, call
+
+TOO_MANY = 1.02  # times the requested number of triangles
 
 
 @dataclass
@@ -79,39 +82,28 @@ class Verifier:
 
 
 class Contest:
-    """One row: our modes run at exactly the counts that the peers ended with."""
+    """One row: the peers, then our modes at the fewest triangles that any of them ended with."""
 
     def __init__(self, programs: Programs, verifier: Verifier, folder: Path) -> None:
         self.programs = programs
         self.verifier = verifier
         self.folder = folder
-        self.entries: dict[tuple[str, int], Entry] = {}
+        self.entries: dict[str, Entry] = {}
 
     def hold(self, bone: Bone, count: int, peers: list[Contestant], ours: list[Contestant],
              rounds: int) -> dict[str, Any]:
-        """In turn: a peer, ours at its count if no peer before ended there, the next peer; then again."""
-        self.entries = {}
+        """All in turn, then again. A peer that stops far above the requested number of triangles does not count."""
+        self.entries, others = {}, machine.Others()
         for _ in range(rounds):
-            visited: set[int] = set()
-            for peer in peers:
-                reached = self._run(bone, peer, count).triangles
-                if reached and reached not in visited:
-                    self._run_ours(bone, ours, reached, first=not visited)
-                    visited.add(reached)
-            if not visited:
-                self._run_ours(bone, ours, count, first=True)
-        entries = list(self.entries.values())
-        reference = next((entry.requested for entry in entries if entry.contestant.ours), count)
+            ends = [self._run(bone, peer, count).triangles for peer in peers]
+            fewest = min((end for end in ends if 0 < end <= TOO_MANY * count), default=count)
+            for contestant in ours:
+                self._run(bone, contestant, fewest)
         return {"bone": bone.name, "input": {"triangles": bone.triangles, **self.verifier.describe(bone.file)},
-                "requested": count, "reference": reference, "entries": [entry.raw() for entry in entries]}
-
-    def _run_ours(self, bone: Bone, ours: list[Contestant], count: int, first: bool) -> None:
-        for contestant in ours:
-            if first or contestant.through == "core":  # the filter differs in seconds alone: once a round
-                self._run(bone, contestant, count)
+                "requested": count, "others": others.cores(), "entries": [entry.raw() for entry in self.entries.values()]}
 
     def _run(self, bone: Bone, contestant: Contestant, count: int) -> Entry:
-        entry = self.entries.setdefault((contestant.key, count), Entry(contestant, count))
+        entry = self.entries.setdefault(contestant.key, Entry(contestant, count))
         if entry.failure:
             return entry
         result = self.folder / "result.ply"

@@ -30,7 +30,7 @@ def conditions(run: dict[str, Any]) -> str:
     if run["runs"] > 1:
         lines.append(f"* The figures come from {run['runs']} runs; machine and rounds are those of the first.")
     if run["versions"]:
-        lines.append("* Versions: " + "; ".join(f"{name} {version}" for name, version in run["versions"].items()) + ".")
+        lines.append(f"* Commit of this project: {'; '.join(run['commits'])}. Versions of the others: " + "; ".join(f"{name} {version}" for name, version in run["versions"].items()) + ".")
     return "\n".join(lines + [f"* {note}" for note in run["notes"]]) + "\n"
 
 
@@ -52,7 +52,7 @@ def comparison(data: Records) -> list[str]:
         "Sampled Hausdorff distance in mm.\n",
         tables.by_method(compared, lambda r: tables.number(r["hausdorff_mm"])),
         "## How long does it take?\n",
-        "Seconds on one thread.\n",
+        "Seconds on one thread; a dash where other programs used the processor during the run.\n",
         tables.by_method(compared, lambda r: tables.number(r["seconds"])),
         "The modes on one thread, on two, and through the VTK filter:\n",
         tables.seconds_of_modes(compared),
@@ -66,16 +66,12 @@ def comparison(data: Records) -> list[str]:
 
 
 def proved(data: Records) -> list[str]:
-    """Runs with a proved largest error, beside the peers."""
+    """Runs with a proved largest error."""
     return [
         "## How many triangles does a largest error take?\n",
-        "The modes run with `MaximumError` and prove it for every point of both surfaces. The other programs prove nothing. "
-        "For them the table has the fewest triangles whose *sampled* Hausdorff distance stays within the error, found by trial "
-        "to within 5 %; a dash means that no trial stays within it.\n",
-        tables.proved_triangles(data["proved"], data["trials"]),
-        "Some programs have an option for an error, each in its own unit. Triangles and sampled Hausdorff distance with that "
-        "option:\n",
-        tables.errors_of_peers(data["trials"]),
+        "The modes run with `MaximumError` and prove it for every point of both surfaces. What other programs do with a largest error is "
+        "the [audit](audit.md).\n",
+        tables.proved_triangles(data["proved"]),
         "## What does the proof cost?\n",
         "On two threads, with the certificate that ends each run. CGAL's Lindstrom-Turk ran in turn with it, on one thread and "
         f"without an error, to the triangles named in `proved.csv` ({beside(data)}); it proves nothing. Seconds are medians. The last "
@@ -118,9 +114,7 @@ def sections(data: Records) -> list[str]:
 FILES = """| file | one line per | columns |
 |---|---|---|
 | [comparison.csv](benchmark-data/comparison.csv) | input, number of triangles, program | seconds, memory, distances in both directions, distances of points, topology |
-| [pairs.csv](benchmark-data/pairs.csv) | the same for each mode and each other program, at exactly the number of triangles of that program | ratios mode / program of time, RMS distances and Hausdorff distance |
 | [proved.csv](benchmark-data/proved.csv) | input, error, mode, intersection guard | triangles, proved bounds, seconds, memory |
-| [trials.csv](benchmark-data/trials.csv) | input, error, other program | result of its own option for an error; fewest triangles by trial |
 | [growth.csv](benchmark-data/growth.csv) | mode, threads, size | seconds, bytes |
 | [threads.csv](benchmark-data/threads.csv) | mode, threads, kernels | seconds, checksum of the result |
 | `errors.csv`, of full runs | input, error, mode | the thesis's measure with a largest error instead of a number of triangles |

@@ -7,6 +7,7 @@ from __future__ import annotations
 import os
 import platform
 import resource
+import subprocess
 import time
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,12 @@ def describe() -> dict[str, Any]:
             "system": words.get("PRETTY_NAME", platform.system()).strip('"')}
 
 
+def commit() -> str:
+    """The commit of the sources, with a mark if they were changed since."""
+    command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--abbrev=8", "--dirty=, changed", "--exclude=*"]
+    return subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip() or "unknown"
+
+
 def _busy_seconds() -> float:
     """Of all cores together since the system started, time taken by other guests of a host included."""
     stat = Path("/proc/stat")
@@ -46,6 +53,7 @@ def _own_seconds() -> float:
 
 
 BUSY = "Other programs used"
+QUIET = 0.1  # cores that others may use beside figures in seconds
 
 
 class Others:
@@ -54,10 +62,12 @@ class Others:
     def __init__(self) -> None:
         self.since = time.monotonic(), _busy_seconds() - _own_seconds()
 
+    def cores(self) -> float:
+        """The average number of cores."""
+        begin, used = self.since
+        return (_busy_seconds() - _own_seconds() - used) / max(1.0, time.monotonic() - begin)
+
     def complaint(self) -> str:
         """A sentence where that disturbs the times, else nothing."""
-        begin, used = self.since
-        cores = (_busy_seconds() - _own_seconds() - used) / max(1.0, time.monotonic() - begin)
-        if cores < 0.1:
-            return ""
-        return f"{BUSY} {cores:.1f} of {os.cpu_count()} cores during this run: do not quote its seconds."
+        cores = self.cores()
+        return f"{BUSY} {cores:.1f} of {os.cpu_count()} cores during this run: do not quote its seconds." if cores > QUIET else ""

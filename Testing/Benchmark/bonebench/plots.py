@@ -15,7 +15,7 @@ from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
-from .records import BACK, THERE, at_reference, find, value_of  # noqa: E402
+from .records import BACK, THERE, find, value_of  # noqa: E402
 
 Row = dict[str, Any]
 Entry = dict[str, Any]
@@ -78,7 +78,7 @@ def series(rows: Sequence[Row], keep: Callable[[Entry], bool]) -> dict[str, list
     """Contestant -> its entries over the rows of one bone, by falling number of triangles."""
     found: dict[str, list[tuple[Row, Entry]]] = {}
     for row in sorted(rows, key=lambda r: -r["requested"]):
-        for entry in at_reference(row):
+        for entry in row["entries"]:
             if entry["seconds"] and entry["through"] != "filter" and keep(entry):
                 found.setdefault(entry["key"], []).append((row, entry))
     return found
@@ -144,7 +144,7 @@ def error_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool:
     axes.set_ylabel("times CGAL Lindstrom-Turk's")
     axes.set_title(f"RMS distance, the larger of both directions: {title_of(rows)}", pad=12)
     draw(axes, series(rows, lambda e: e["threads"] == 1), modes, value)
-    if any((worst_rms(e) or 0) > top * (worst_rms(find(r, "cgal")) or 1) for r in rows for e in at_reference(r)):
+    if any((worst_rms(e) or 0) > top * (worst_rms(find(r, "cgal")) or 1) for r in rows for e in r["entries"]):
         axes.text(0.01, 0.98, f"what lies above {top:g} is drawn at {top:g}", transform=axes.transAxes, fontsize=8.5,
                   va="top", color="#606060")
     figure.savefig(target)
@@ -169,7 +169,7 @@ def time_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool:
 
 def curve_plot(row: Row, modes: Sequence[str], target: Path) -> bool:
     """The fraction of the original's surface lies within x mm of the result."""
-    entries = [entry for entry in at_reference(row) if entry["seconds"] and entry["threads"] == 1
+    entries = [entry for entry in row["entries"] if entry["seconds"] and entry["threads"] == 1
                and entry["through"] != "filter" and value_of(entry, BACK, "percentiles")]
     if not entries:
         return False

@@ -10,6 +10,8 @@ import statistics
 from pathlib import Path
 from typing import Any, Iterable, Sequence
 
+from . import machine
+
 Figures = dict[str, Any]
 Record = dict[str, str]
 Records = dict[str, list[Record]]
@@ -28,15 +30,11 @@ SHAPE = {"components": "components", "boundary_edges": "boundary_edges", "non_ma
 COLUMNS = {
     "comparison": ["bone", "input_triangles", "requested_triangles", "method", "threads", "adapter", "triangles", "seconds",
                    "cpu_seconds", "peak_mb", *DISTANCES, *POINTS, *SHAPE, "poor_percent"],
-    "pairs": ["bone", "input_triangles", "requested_triangles", "peer", "peer_triangles", "method", "threads", "triangles",
-              "time_ratio", "to_original_rms_ratio", "to_result_rms_ratio", "hausdorff_ratio"],
     "growth": ["mode", "threads", "input_triangles", "seconds", "bytes_per_triangle"],
     "threads": ["bone", "requested_triangles", "mode", "threads", "kernels", "seconds", "cpu_seconds", "checksum"],
     "proved": ["bone", "input_triangles", "error_mm", "mode", "intersection_guard", "triangles", "proved_mm",
                "proved_boundary_mm", "hausdorff_mm", "self_intersecting_pairs", "runs", "seconds", "cpu_seconds",
                "certificate_seconds", "cgal_triangles", "cgal_seconds", "over_cgal", "bytes_per_triangle"],
-    "trials": ["bone", "error_mm", "peer", "by_error_triangles", "by_error_hausdorff_mm", "by_trial_triangles",
-               "by_trial_hausdorff_mm", "last_trial_seconds"],
     "errors": ["bone", "error_mm", "mode", "triangles", *POINTS, "hausdorff_mm", "seconds"],
 }
 
@@ -46,15 +44,9 @@ def value_of(entry: dict[str, Any] | None, *path: str) -> Any:
     return at(entry["measured"], path) if entry else None
 
 
-def find(row: dict[str, Any], key: str, requested: int | None = None) -> dict[str, Any] | None:
-    """The entry of a program that ended successfully, at a number of triangles if one is given."""
-    return next((entry for entry in row["entries"] if entry["key"] == key and entry["seconds"]
-                 and requested in (None, entry["requested"])), None)
-
-
-def at_reference(row: dict[str, Any]) -> list[dict[str, Any]]:
-    """The peers, and the modes at the number of triangles with which the first peer ended."""
-    return [entry for entry in row["entries"] if not entry["ours"] or entry["requested"] == row["reference"]]
+def find(row: dict[str, Any], key: str) -> dict[str, Any] | None:
+    """The entry of a program that ended successfully."""
+    return next((entry for entry in row["entries"] if entry["key"] == key and entry["seconds"]), None)
 
 
 def text(value: Any, digits: int = 6) -> str:
@@ -99,33 +91,16 @@ def of_row(row: dict[str, Any]) -> Record:
 
 
 def comparison(row: dict[str, Any]) -> list[Record]:
-    """The input, every peer, and the modes at the number of triangles with which the first peer ended."""
+    """The input, every peer and every mode; seconds if nothing else ran."""
     found = [{**of_row(row), "method": "input", "triangles": text(row["input"]["triangles"]), **shape(row["input"])}]
-    for entry in at_reference(row):
+    for entry in row["entries"]:
         if not entry["seconds"]:
             continue
+        times = {"seconds": text(entry["median_seconds"]), "cpu_seconds": text(statistics.median(entry["cpu_seconds"]))}
         found.append({
             **of_row(row), "method": method(entry), "threads": text(entry["threads"]), "adapter": entry["through"],
-            "triangles": text(entry["triangles"]), "seconds": text(entry["median_seconds"]),
-            "cpu_seconds": text(statistics.median(entry["cpu_seconds"])), "peak_mb": text(entry["peak_bytes"] / 1e6, 4),
+            "triangles": text(entry["triangles"]), **(times if row["others"] <= machine.QUIET else {}), "peak_mb": text(entry["peak_bytes"] / 1e6, 4),
             **distances(entry["measured"], DISTANCES), **distances(entry["measured"], POINTS), **shape(entry["measured"])})
-    return found
-
-
-def pairs(row: dict[str, Any]) -> list[Record]:
-    """Each mode divided by each peer, at exactly the number of triangles with which that peer ended."""
-    found = []
-    for peer in row["entries"]:
-        for mine in row["entries"]:
-            if peer["ours"] or not mine["ours"] or mine["through"] != "core" or mine["requested"] != peer["triangles"] \
-                    or not peer["seconds"] or not mine["seconds"]:
-                continue
-            ratios = {f"{name.removesuffix('_mm')}_ratio": ratio(at(mine["measured"], path), at(peer["measured"], path))
-                      for name, path in DISTANCES.items() if name.endswith("rms_mm") or name == "hausdorff_mm"}
-            found.append({
-                **of_row(row), "peer": peer["name"], "peer_triangles": text(peer["triangles"]), "method": mine["mode"],
-                "threads": text(mine["threads"]), "triangles": text(mine["triangles"]),
-                "time_ratio": ratio(mine["median_seconds"], peer["median_seconds"]), **ratios})
     return found
 
 
@@ -144,20 +119,10 @@ def proved(row: dict[str, Any]) -> Record:
             "bytes_per_triangle": f"{(row['input_bytes'] + row['peak_bytes']) / row['input']:.0f}"}
 
 
-def trial(row: dict[str, Any]) -> Record:
-    """A peer with a largest error: its own option for it, and the fewest triangles found by trial."""
-    outcomes = (("by_error", row["by_error"]), ("by_trial", row["by_trial"]))
-    return {"bone": row["bone"], "error_mm": text(row["error"]), "peer": row["name"],
-            **{f"{name}_triangles": text(outcome.get("triangles")) for name, outcome in outcomes},
-            **{f"{name}_hausdorff_mm": text(at(outcome, ["measured", "hausdorff"])) for name, outcome in outcomes},
-            "last_trial_seconds": text(row["by_trial"].get("seconds"))}
-
-
 def from_figures(figures: Figures) -> Records:
     """All records of a run."""
     return {
         "comparison": [record for row in figures["rows"] for record in comparison(row)],
-        "pairs": [record for row in figures["rows"] for record in pairs(row)],
         "growth": [{"mode": row["mode"], "threads": text(row["threads"]), "input_triangles": text(row["triangles"]),
                     "seconds": text(row["seconds"]), "bytes_per_triangle": f"{row['bytes'] / row['triangles']:.0f}"}
                    for row in figures["growth"]],
@@ -166,7 +131,6 @@ def from_figures(figures: Figures) -> Records:
                      "cpu_seconds": text(row["cpu_seconds"]), "checksum": " ".join(row["checksums"])}
                     for row in figures["threads"]],
         "proved": [proved(row) for row in figures["proved"] if "failure" not in row],
-        "trials": [trial(row) for row in figures["trials"]],
         "errors": [{"bone": row["bone"], "error_mm": text(row["error"]), "mode": row["mode"],
                     "triangles": text(row["triangles"]), **distances(row["measured"], POINTS),
                     "hausdorff_mm": text(at(row["measured"], ["hausdorff"])), "seconds": text(row["seconds"])}
@@ -178,7 +142,7 @@ def conditions(figures: Figures) -> dict[str, Any]:
     """What the figures were measured on and with."""
     versions = {entry["name"]: entry["version"] for row in figures["rows"] for entry in row["entries"]
                 if not entry["ours"] and entry["version"]}
-    return {"machine": figures["machine"], "rounds": figures["rounds"], "samples": figures["samples"],
+    return {"machine": figures["machine"], "commits": figures["commits"], "rounds": figures["rounds"], "samples": figures["samples"],
             "runs": figures.get("parts", 1), "versions": versions, "notes": figures["complaints"]}
 
 

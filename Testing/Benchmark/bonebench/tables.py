@@ -143,27 +143,14 @@ def kept(pairs: Sequence[tuple[Record, Record]], key: str) -> str:
     return f"{sum(equal)} of {len(pairs)}"
 
 
-def proved_triangles(proved: Sequence[Record], trials: Sequence[Record]) -> str:
-    """The modes with a proved largest error, the peers with the fewest triangles that trials found."""
+def proved_triangles(proved: Sequence[Record]) -> str:
+    """The modes with a proved largest error."""
     modes = [mode for mode in MODES if any(record["mode"] == mode for record in proved)]
-    peers = list(dict.fromkeys(record["peer"] for record in trials))
     lines = []
     for bone, error in dict.fromkeys((record["bone"], record["error_mm"]) for record in proved):
         mine = {r["mode"]: r for r in proved if (r["bone"], r["error_mm"], r["intersection_guard"]) == (bone, error, "on")}
-        others = {r["peer"]: r for r in trials if (r["bone"], r["error_mm"]) == (bone, error)}
-        lines.append([f"{bone}, {error} mm", *(count(mine.get(mode, {}).get("triangles")) for mode in modes),
-                      *(count(others.get(peer, {}).get("by_trial_triangles")) for peer in peers)])
-    return markdown(["input, error", *map(titled, modes), *peers], lines)
-
-
-def errors_of_peers(trials: Sequence[Record]) -> str:
-    """What a peer's own option for an error gives: triangles and the sampled Hausdorff distance in mm."""
-    outcomes = {(r["bone"], r["error_mm"], r["peer"]): f"{count(r['by_error_triangles'])}, {number(r['by_error_hausdorff_mm'])} mm"
-               for r in trials if r["by_error_triangles"]}
-    peers = list(dict.fromkeys(peer for _, _, peer in outcomes))
-    lines = [[f"{bone}, {error} mm", *(outcomes.get((bone, error, peer), "-") for peer in peers)]
-             for bone, error in dict.fromkeys((bone, error) for bone, error, _ in outcomes)]
-    return markdown(["input, error", *peers], lines)
+        lines.append([f"{bone}, {error} mm", *(count(mine.get(mode, {}).get("triangles")) for mode in modes)])
+    return markdown(["input, error", *map(titled, modes)], lines)
 
 
 def proved_cost(proved: Sequence[Record]) -> str:
