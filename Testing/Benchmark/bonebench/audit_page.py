@@ -9,7 +9,7 @@ import statistics
 from pathlib import Path
 from typing import Callable, Sequence
 
-from .document import DATA, RESULTS
+from .document import DATA, RESULTS, write_readme
 from .records import Record, read_file
 from .tables import count, markdown, number, titled
 
@@ -177,9 +177,25 @@ def page(folder: Path, settings: dict[str, str]) -> str:
     return "\n".join(parts)
 
 
+def readme_section(records: Sequence[Record]) -> str:
+    """What the tolerance of each program is worth, in one table."""
+    lines = []
+    for name in names(records, "program"):
+        results = measured([record for record in records if record["program"] == name])
+        if not any(record["requested_triangles"] for record in results):
+            kept = f"{sum(map(is_kept, results))} of {sum(record['program'] == name for record in records)}"
+            lines.append([titled(name), kept, number(max(map(excess, results), default=None)),
+                          median([over_fast(record) for record in results])])
+    return (f"Asked for a largest distance of {', '.join(names(records, 'tolerance_mm'))} mm on {len(names(records, 'bone'))} bones, programs with such a "
+            "setting keep it as often as this. Last column: their\ntriangles divided by those of `Fast` at the same true distance "
+            "([all figures](Documentation/results/audit.md), `Testing/Benchmark/audit.sh`).\n\n"
+            + markdown(["", "kept", "true / requested, largest", "triangles / Fast's"], lines))
+
+
 def write(folder: Path, settings: dict[str, str]) -> None:
     """The page and its data in the documentation."""
     for name in FILES:
         if (folder / name).is_file():
             shutil.copyfile(folder / name, RESULTS / DATA / name)
     (RESULTS / "audit.md").write_text(page(RESULTS / DATA, settings), encoding="utf-8")
+    write_readme("audit.sh", readme_section(read_file(RESULTS / DATA / FILES[0])))

@@ -19,7 +19,6 @@ METHOD = Path(__file__).parents[1] / "method.md"
 DATA = "benchmark-data"
 PLOT_SUFFIXES = {"error": "RMS distance against the number of triangles", "time": "seconds against the number of triangles",
                  "curve": "fraction of the input's surface within a distance"}
-BEGIN, END = "<!-- benchmark: begin, written by Testing/Benchmark/run.sh -->", "<!-- benchmark: end -->"
 
 
 def conditions(run: dict[str, Any]) -> str:
@@ -146,23 +145,25 @@ def readme_section(data: Records, run: dict[str, Any]) -> str:
     bone, count = main_goal(data)
     source = next(record for record in data["comparison"] if (record["bone"], record["method"]) == (bone, "input"))
     pieces = int(source["components"] or 1)
-    text = [BEGIN, "## Comparison\n",
+    text = ["## Comparison\n",
             f"The {bone} of a CT, {int(source['triangles']):,} triangles" + (f" in {pieces} components" if pieces > 1 else "")
             + f", reduced to {int(count):,} on one thread; this project in bold. Average and RMS: the\n"
             "larger of both directions. H: the largest distance of both. [All figures](Documentation/results/benchmark.md) "
-            "(`Testing/Benchmark/run.sh`).\nWhat tolerances of other programs are worth: [audit](Documentation/results/audit.md).\n",
+            "(`Testing/Benchmark/run.sh`).\n",
             tables.summary(data["comparison"], (bone, count), full=False)]
     text += [f"{note}\n" for note in run["notes"] if "do not quote" in note and bone not in note]
-    return "\n".join([*text, END])
+    return "\n".join(text)
 
 
-def write_readme(readme: Path, section: str) -> None:
-    """Replaces what lies between the marks; fails if the marks are not there."""
+def write_readme(script: str, section: str) -> None:
+    """Replaces what lies between the marks of a script; fails if the marks are not there."""
+    readme = ROOT / "README.md"
+    begin, end = f"<!-- begin, written by Testing/Benchmark/{script} -->\n", f"\n<!-- end, written by Testing/Benchmark/{script} -->"
     text = readme.read_text(encoding="utf-8")
-    if BEGIN not in text:
-        raise SystemExit(f"{readme} has no line {BEGIN}")
-    before, rest = text.split(BEGIN, 1)
-    readme.write_text(before + section + rest.split(END, 1)[1], encoding="utf-8")
+    if begin not in text:
+        raise SystemExit(f"{readme} has no line {begin}")
+    before, rest = text.split(begin, 1)
+    readme.write_text(before + begin + section + end + rest.split(end, 1)[1], encoding="utf-8")
 
 
 def write() -> None:
@@ -171,7 +172,7 @@ def write() -> None:
     plots = sorted(path.name for path in IMAGES.glob("benchmark-*.png"))
     (RESULTS / "benchmark.md").write_text(page(data, run, plots, "../images"), encoding="utf-8")
     if data["comparison"]:
-        write_readme(ROOT / "README.md", readme_section(data, run))
+        write_readme("run.sh", readme_section(data, run))
 
 
 if __name__ == "__main__":
