@@ -34,6 +34,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--short", action="store_true", help="one round of our modes on a phantom, no peers: a test")
     parser.add_argument("--growth", action="store_true", help="our modes on 0.1 to 10 million triangles, nothing else")
     parser.add_argument("--threads", action="store_true", help="our modes on 1, 2, 4 and 8 threads, nothing else")
+    parser.add_argument("--thesis", action="store_true", help="our modes with the largest errors of the thesis, nothing else")
     parser.add_argument("--proved", action="store_true",
                         help="our modes with proved errors, nothing else")
     parser.add_argument("--bone", action="append", nargs="+", default=[], metavar="FILE [COUNT]",
@@ -60,7 +61,7 @@ def arguments() -> argparse.Namespace:
 def choose_bones(options: argparse.Namespace, workshop: Workshop) -> list[Bone]:
     """The rows of this run."""
     rows: Rows = SHORT if options.short else QUICK if options.quick else FULL
-    if options.growth or options.threads or options.proved or (options.bone and not options.rows):
+    if options.growth or options.threads or options.proved or options.thesis or (options.bone and not options.rows):
         rows = ()
     bones = [workshop.bone(name, goals) for name, goals in rows]
     for file, *counts in options.bone:
@@ -82,17 +83,16 @@ def run_rows(options: argparse.Namespace, bones: list[Bone], contest: Contest, p
                 print(f"  {bone.name} {count:,}: {time.monotonic() - begin:.0f} s", flush=True)
 
 
-def run_sections(options: argparse.Namespace, workshop: Workshop, verifier: Verifier, bones: list[Bone],
-                 figures: dict[str, Any], scratch: Path) -> None:
+def run_sections(options: argparse.Namespace, workshop: Workshop, verifier: Verifier, figures: dict[str, Any], scratch: Path) -> None:
     """Growth, threads, proved errors and the thesis's error mode: all of them without other options."""
-    whole = not (options.short or options.growth or options.threads or options.proved or options.quick or options.bone
-                 or options.rows)
+    whole = not (options.short or options.growth or options.threads or options.proved or options.thesis or options.quick
+                 or options.bone or options.rows)
     programs, rounds, modes = workshop.programs, figures["rounds"], chosen_modes(options, figures["modes"])
-    if whole:
-        for bone in bones:
-            if bone.name in thesis.BY_ERROR:
-                figures["errors"] += sections.error_mode(
-                    programs, verifier, bone, modes, tuple(thesis.BY_ERROR[bone.name]), scratch)
+    if whole or options.thesis:
+        for name, errors in thesis.BY_ERROR.items():
+            bone = workshop.bone(name, (1.0,))
+            if bone is not None:
+                figures["errors"] += sections.error_mode(programs, verifier, bone, modes, tuple(errors), scratch)
     if whole or options.proved:
         run_proved_errors(options, workshop, verifier, figures, scratch)
     if whole or options.threads:
@@ -126,7 +126,7 @@ def run_proved_errors(options: argparse.Namespace, workshop: Workshop, verifier:
 
 def participants(options: argparse.Namespace, programs: Programs) -> tuple[list[Contestant], list[str]]:
     """The peers of this run, and a sentence for each thing that is missing or amiss."""
-    alone = options.short or options.growth or options.threads or options.proved
+    alone = options.short or options.growth or options.threads or options.proved or options.thesis
     peers, missing = ([], []) if alone else find_peers(programs, options.with_meshlib)
     if options.peers is not None:
         peers = [peer for peer in peers if peer.key in options.peers.split(",")]
@@ -159,7 +159,7 @@ def measure(options: argparse.Namespace) -> dict[str, Any]:
         scratch = Path(name)
         run_rows(options, bones, Contest(programs, verifier, scratch), peers, figures)
         others = machine.Others()
-        run_sections(options, workshop, verifier, bones, figures, scratch)
+        run_sections(options, workshop, verifier, figures, scratch)
     figures["complaints"] = missing + workshop.complaints + [line for line in [others.complaint()] if line]
     return figures
 
@@ -232,7 +232,7 @@ def main() -> int:
     """Measures and writes."""
     options = arguments()
     figures = put_together(options.earlier) if options.earlier else measure(options)
-    if not any(figures[key] for key in ("rows", "growth", "threads", "proved")):
+    if not any(figures[key] for key in ("rows", "growth", "threads", "errors", "proved")):
         print("nothing was measured:", *figures["complaints"])
         return 1
     write(options, figures)

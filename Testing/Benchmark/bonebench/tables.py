@@ -190,21 +190,26 @@ def threads(records: Sequence[Record]) -> str:
 
 
 def point_cells(record: Record) -> str:
-    """RMS and largest distance of the points of a result to the original, mm."""
-    return f"{number(record['point_rms_mm'])}, {number(record['point_max_mm'])}" if record.get("point_rms_mm") else "-"
+    """Largest, average and RMS distance of the points of a result to the original, mm."""
+    keys = ("point_max_mm", "point_average_mm", "point_rms_mm")
+    return ", ".join(number(record[key]) for key in keys) if record.get(keys[0]) else "-"
 
 
 def thesis_counts(records: Sequence[Record]) -> str:
     """The thesis's measure at its own numbers of triangles."""
-    lines = []
+    meshlab, lines = "MeshLab quadric", []
     for goal in goals(records):
-        printed = thesis.BY_COUNT.get(goal[0], {}).get(int(goal[1]))
+        bone, faces = goal[0], int(goal[1])
+        printed = thesis.BY_COUNT.get(bone, {}).get(faces)
         if printed is None:
             continue
+        beside = thesis.MESHLAB.get(bone, {}).get(faces)
         found = {record["method"]: record for record in single_threaded(of_goal(records, goal))}
-        lines.append([f"{goal[0]}, {count(goal[1])}", f"{number(printed[4])}, {number(printed[1])}",
-                      *(point_cells(found[mode]) if mode in found else "-" for mode in MODES)])
-    return markdown(["input, triangles", "printed in the thesis", *map(titled, MODES)], lines) if lines else ""
+        lines.append([f"{bone}, {faces:,}", ", ".join(map(number, (printed[1], printed[3], printed[4]))),
+                      ", ".join(map(number, beside)) if beside else "-",
+                      *(point_cells(found[name]) if name in found else "-" for name in (meshlab, *MODES))])
+    return markdown(["input, triangles", "printed in the thesis", f"{meshlab}, printed there", f"{meshlab}, today", *map(titled, MODES)],
+                    lines) if lines else ""
 
 
 def thesis_errors(records: Sequence[Record]) -> str:
@@ -213,9 +218,8 @@ def thesis_errors(records: Sequence[Record]) -> str:
     for bone, error in dict.fromkeys((record["bone"], record["error_mm"]) for record in records):
         printed = thesis.BY_ERROR.get(bone, {}).get(float(error))
         if printed:
-            lines.append([f"{bone}, {error} mm", "printed in the thesis", f"{printed[0]:,}", number(printed[4]),
-                          number(printed[1]), "-"])
-        lines += [[f"{bone}, {error} mm", titled(r["mode"]), count(r["triangles"]), number(r["point_rms_mm"]),
-                   number(r["point_max_mm"]), number(r["seconds"])]
+            lines.append([f"{bone}, {error} mm", "printed in the thesis", f"{printed[0]:,}",
+                          ", ".join(map(number, (printed[1], printed[3], printed[4]))), "-"])
+        lines += [[f"{bone}, {error} mm", titled(r["mode"]), count(r["triangles"]), point_cells(r), number(r["hausdorff_mm"])]
                   for r in records if (r["bone"], r["error_mm"]) == (bone, error)]
-    return markdown(["input, error", "", "triangles", "RMS mm", "maximum mm", "s"], lines)
+    return markdown(["input, error", "", "triangles", "largest, average, RMS mm", "Hausdorff mm"], lines)
