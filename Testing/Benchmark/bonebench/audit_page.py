@@ -177,7 +177,7 @@ def page(folder: Path, settings: dict[str, str]) -> str:
     return "\n".join(parts)
 
 
-def readme_section(records: Sequence[Record]) -> str:
+def kept_by_program(records: Sequence[Record]) -> str:
     """What the tolerance of each program is worth, in one table."""
     lines = []
     for name in names(records, "program"):
@@ -186,10 +186,13 @@ def readme_section(records: Sequence[Record]) -> str:
             kept = f"{sum(map(is_kept, results))} of {sum(record['program'] == name for record in records)}"
             lines.append([titled(name), kept, number(max(map(excess, results), default=None)),
                           median([over_fast(record) for record in results])])
-    return (f"Asked for a largest distance of {', '.join(names(records, 'tolerance_mm'))} mm on {len(names(records, 'bone'))} bones, programs with such a "
-            "setting keep it as often as this. Last column: their\ntriangles divided by those of `Fast` at the same true distance "
-            "([all figures](Documentation/results/audit.md), `Testing/Benchmark/audit.sh`).\n\n"
-            + markdown(["", "kept", "true / requested, largest", "triangles / Fast's"], lines))
+    return markdown(["", "tolerance kept", "true / requested, largest", "triangles / Fast's at the true distance"], lines)
+
+
+def readme_section(records: Sequence[Record]) -> str:
+    """The table with a sentence before it."""
+    return (f"Programs with a setting for the largest distance, at {', '.join(names(records, 'tolerance_mm'))} mm on {len(names(records, 'bone'))} bones "
+            "([all figures](Documentation/results/audit.md),\n`Testing/Benchmark/audit.sh`):\n\n" + kept_by_program(records))
 
 
 def write(folder: Path, settings: dict[str, str]) -> None:

@@ -28,7 +28,7 @@ HalfEdgeId FindHalfEdge(const HalfEdgeMesh& mesh, const EdgeFlip& edge)
 
 PatchBoundaries* Editor::FeatureCurves()
 {
-  return this->Curves && this->Curves->NumberOfEdges() > 0 ? this->Curves.get() : nullptr;
+  return this->Curves && this->Curves->NumberOfInitialEdges() > 0 ? this->Curves.get() : nullptr;
 }
 
 //------------------------------------------------------------------------------
