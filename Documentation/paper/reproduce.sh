@@ -16,4 +16,3 @@ if [ $# -gt 0 ]; then
 fi
 Testing/Benchmark/run.sh --from "${figures[@]}" --write-docs
 Testing/Benchmark/audit.sh --with-meshlib --certificates --write-docs --bone maxilla --bone frontal "$@"
-PYTHONPATH=Testing/Benchmark python3 -B -m bonebench.evidence

@@ -10,19 +10,18 @@ A line of audit.csv for each bone, program and tolerance, failures included. Lin
 from __future__ import annotations
 
 import argparse
-import importlib.util
-import os
 import shutil
 import struct
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Callable, Sequence
+from typing import Sequence
 
-from . import audit_page, certificates
+from . import audit_page, certificates, pages
+from .audit_programs import PROGRAMS, Program, Request, our_programs, with_mode, with_openmesh
 from .bones import Bone, Workshop
 from .contest import Verifier
-from .contestants import TOLERANCE_WORKER, WORKER, our_modes
+from .document import DATA, RESULTS
 from .records import Record, read_file, text, write_file
 from .workers import Outcome, Programs, call, processor_seconds, run
 
@@ -30,105 +29,9 @@ ROOT = Path(__file__).resolve().parents[3]
 TOLERANCES = (0.1, 0.5, 1.0)  # mm
 BONES = ("maxilla", "frontal")  # without --bone
 CPU_SECONDS = 300  # limit of one run
-NODE_PACKAGE = Path(os.environ.get("NODE_PACKAGES", "node"), "node_modules", "meshoptimizer")
 COLUMNS = ("bone", "input_triangles", "input_components", "input_pairs", "program", "version", "tolerance_mm", "requested_triangles", "triangles",
            "lower_mm", "true_mm", "to_original_mm", "to_result_mm", "sampled_mm", "components", "non_manifold_edges",
            "self_intersecting_pairs", "cpu_seconds", "fast_triangles", "failure", "command")
-
-
-@dataclass(frozen=True)
-class Request:
-    """The arguments of a run."""
-
-    programs: Programs
-    bone: Path
-    result: Path
-    tolerance: float  # mm
-    count: int = 0  # triangles of mode Fast with this tolerance, for programs that take nothing but a number
-
-
-Command = Callable[[Request], Sequence[object]]
-
-
-def with_mode(mode: str) -> Command:
-    """A mode of this project with the largest error."""
-    return lambda request: [request.programs.path("run"), request.bone, request.result, "core", mode, 1, "--error", request.tolerance]
-
-
-def with_tolerance(key: str) -> Command:
-    """A peer of tolerance_worker.py."""
-    return lambda request: [sys.executable, "-B", TOLERANCE_WORKER, key, request.bone, request.result, request.tolerance]
-
-
-def with_count(key: str) -> Command:
-    """A peer of peer_worker.py that takes no tolerance, at the number of triangles of Fast."""
-    return lambda request: [sys.executable, "-B", WORKER, key, request.bone, request.result, request.count]
-
-
-def with_openmesh(request: Request) -> Sequence[object]:
-    """The command of Debian's libopenmesh-apps: quadrics order the collapses, ModHausdorff and normals limit them."""
-    return ["OpenMesh-commandlineDecimater", "-M", "Q", "-M", f"HD:{request.tolerance}", "-M", "NF:60", "-n", "0.0001",
-            "-i", request.bone, "-o", request.result]
-
-
-def with_cgal_envelope(request: Request) -> Sequence[object]:
-    """CGAL's edge collapse with Polyhedral_envelope_filter."""
-    return [request.programs.path("cgal"), request.bone, request.result, f"{request.tolerance}mm"]
-
-
-def with_cgal_count(request: Request) -> Sequence[object]:
-    """CGAL's edge collapse at the number of triangles of Fast."""
-    return [request.programs.path("cgal"), request.bone, request.result, request.count]
-
-
-@dataclass(frozen=True)
-class Program:
-    """A row of the audit. needs: a Python module, a command, a file, or a program of the benchmark."""
-
-    name: str
-    needs: str
-    command: Command
-    setting: str
-
-    @property
-    def takes_count(self) -> bool:
-        """Whether it has no tolerance."""
-        return self.setting.startswith("no tolerance")
-
-    def is_here(self, programs: Programs) -> bool:
-        """Whether it can run."""
-        return (programs.has(self.needs) or Path(self.needs).exists() or shutil.which(self.needs) is not None
-                or importlib.util.find_spec(self.needs.replace("/", "_")) is not None)
-
-
-FAST_COUNT = "no tolerance; gets the number of triangles of **Fast**"
-PROGRAMS = (
-    Program("OpenMesh ModHausdorff", "OpenMesh-commandlineDecimater", with_openmesh,
-            "`-M Q -M HD:mm -M NF:60 -n 0.0001` of its command line: largest distance of removed points"),
-    Program("mmgs", "mmgpy", with_tolerance("mmgs"), "`hausd`, \"maximal Hausdorff distance\" of its manual"),
-    Program("Manifold", "manifold3d", with_tolerance("manifold"),
-            "`simplify(tolerance)`: \"all surfaces will have moved by less than tolerance\""),
-    Program("MeshLib", "meshlib", with_tolerance("meshlib"), "`maxError`, \"estimated distance deviation from the original mesh\""),
-    Program("meshoptimizer simplify", "meshoptimizer", with_tolerance("meshoptimizer"),
-            "`target_error` with `ErrorAbsolute`, \"an approximate measure of the deviation\""),
-    Program("meshoptimizer simplifyWithUpdate", str(NODE_PACKAGE), with_tolerance("meshoptimizer-update"), "the same"),
-    Program("vtkDecimatePro", "vtkmodules", with_tolerance("decimate-pro"),
-            "`AbsoluteError` with `AccumulateError`, \"a global error bounds\"; `PreserveTopology`"),
-    Program("vtkQuadricDecimation", "vtkmodules", with_tolerance("vtk"), "`MaximumError`, \"maximum allowed absolute error\""),
-    Program("MeshLab isotropic remeshing", "pymeshlab", with_tolerance("meshlab-remeshing"),
-            "`maxsurfdist`; `adaptive`, `targetlen` ten times the tolerance"),
-    Program("CGAL polyhedral envelope", "cgal", with_cgal_envelope,
-            "`Polyhedral_envelope_filter(distance)` on Lindstrom-Turk: the result is within the envelope of the input"),
-    Program("fTetWild", "pytetwild", with_tolerance("ftetwild"),
-            "`epsilon`, relative to the diagonal; surface of the tetrahedra, `coarsen`"),
-    Program("Open3D", "open3d", with_tolerance("open3d"),
-            "`maximum_error`, \"the maximum error where a vertex is allowed to be merged\", without a unit"),
-    Program("pyfqmr", "pyfqmr", with_tolerance("pyfqmr"),
-            "`simplify_mesh_lossless(epsilon)`, \"maximal error after which a vertex is not deleted\", without a unit"),
-    Program("MeshLab quadric", "pymeshlab", with_count("meshlab"), FAST_COUNT),
-    Program("fast-simplification", "fast_simplification", with_count("fast-simplification"), FAST_COUNT),
-    Program("CGAL Lindstrom-Turk", "cgal", with_cgal_count, FAST_COUNT),
-)
 
 
 def measured(request: Request, program: Program) -> Outcome:
@@ -237,12 +140,6 @@ def arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def our_programs(programs: Programs) -> list[Program]:
-    """The modes that prove an error, Fast first."""
-    return [Program(mode, "run", with_mode(mode), "`MaximumError`, proved in both directions")
-            for mode in our_modes(programs, "proving")]
-
-
 def participants(options: argparse.Namespace, programs: Programs) -> list[Program]:
     """The modes and the programs that can run; prints which cannot."""
     peers = [program for program in PROGRAMS if options.with_meshlib or program.name != "MeshLib"]
@@ -268,10 +165,12 @@ def main() -> int:
     if options.certificates:
         certificates.compare(programs, work, [bone.name for bone in bones])
     print(*workshop.complaints, sep="\n")
-    settings = {program.name: program.setting for program in (*our_programs(programs), *PROGRAMS)}
-    (folder / "audit.md").write_text(audit_page.page(folder, settings), encoding="utf-8")
+    (folder / "audit.md").write_text(audit_page.page(folder), encoding="utf-8")
     if options.write_docs:
-        audit_page.write(folder, settings)
+        for name in audit_page.FILES:
+            if (folder / name).is_file():
+                shutil.copyfile(folder / name, RESULTS / DATA / name)
+        pages.write()
     return 0 if audit.records else 1
 
 

@@ -4,12 +4,11 @@
 
 from __future__ import annotations
 
-import shutil
 import statistics
 from pathlib import Path
 from typing import Callable, Sequence
 
-from .document import DATA, RESULTS, write_readme
+from .audit_programs import OURS, PROGRAMS
 from .records import Record, read_file
 from .tables import count, markdown, number, titled
 
@@ -53,12 +52,13 @@ def median(values: Sequence[float | None]) -> str:
     return number(statistics.median(known)) if known else "-"
 
 
-def programs(records: Sequence[Record], settings: dict[str, str]) -> str:
+def programs(records: Sequence[Record]) -> str:
     """Version and setting of each program."""
+    settings = {program.name: program.setting for program in PROGRAMS}
     versions = {name: ", ".join(names([r for r in records if r["program"] == name and r["version"]], "version"))
                 for name in names(records, "program")}
     return markdown(["program", "version of the package", "set to the tolerance"],
-                    [[titled(name), version or "-", settings.get(name, "-")] for name, version in versions.items()]).replace("---:", "---")
+                    [[titled(name), version or "-", settings.get(name, OURS)] for name, version in versions.items()]).replace("---:", "---")
 
 
 def summary(records: Sequence[Record]) -> str:
@@ -160,10 +160,10 @@ def beside_others(records: Sequence[Record]) -> str:
     return markdown(["pair", "triangles", *names(records, "program"), "intervals overlap"], lines)
 
 
-def page(folder: Path, settings: dict[str, str]) -> str:
+def page(folder: Path) -> str:
     """The page in Markdown, from the files of the folder."""
     records, compared = (read_file(folder / name) for name in FILES)
-    parts = [METHOD.read_text(encoding="utf-8"), programs(records, settings), agreement(records),
+    parts = [METHOD.read_text(encoding="utf-8"), programs(records), agreement(records),
              "## Is the tolerance kept?\n", f"Over {len(names(records, 'bone'))} bones; modes of this project are bold. Components and intersecting pairs are compared with the input.\n", summary(records),
              "## Bone by bone\n", "A distance is bold where it is within the tolerance.\n"]
     for bone in names(records, "bone"):
@@ -193,12 +193,3 @@ def readme_section(records: Sequence[Record]) -> str:
     """The table with a sentence before it."""
     return (f"Programs with a setting for the largest distance, at {', '.join(names(records, 'tolerance_mm'))} mm on {len(names(records, 'bone'))} bones "
             "([all figures](Documentation/results/audit.md),\n`Testing/Benchmark/audit.sh`):\n\n" + kept_by_program(records))
-
-
-def write(folder: Path, settings: dict[str, str]) -> None:
-    """The page and its data in the documentation."""
-    for name in FILES:
-        if (folder / name).is_file():
-            shutil.copyfile(folder / name, RESULTS / DATA / name)
-    (RESULTS / "audit.md").write_text(page(RESULTS / DATA, settings), encoding="utf-8")
-    write_readme("audit.sh", readme_section(read_file(RESULTS / DATA / FILES[0])))

@@ -1,16 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the page and the section of the README between its two marks, from the data files alone.
-
-    python3 -m bonebench.document    writes both again from Documentation/results/benchmark-data, without a run
-"""
+"""The page of the benchmark and its section of the README, from the data files alone."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
 
-from . import records, tables
+from . import tables
 from .records import Records
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -72,16 +69,9 @@ def proved(data: Records) -> list[str]:
         "the [audit](audit.md).\n",
         tables.proved_triangles(data["proved"]),
         "## What does the proof cost?\n",
-        "On two threads, with the certificate that ends each run. CGAL's Lindstrom-Turk ran in turn with it, on one thread and "
-        f"without an error, to the triangles named in `proved.csv` ({beside(data)}); it proves nothing. Seconds are medians. The last "
+        "On two threads, with the certificate that ends each run. Seconds are medians; a dash where other programs used the processor. The last "
         "three columns are single runs with `IntersectionGuard` off, which lets triangles intersect and gaps close.\n",
         tables.proved_cost(data["proved"])]
-
-
-def beside(data: Records) -> str:
-    """The number of triangles to which CGAL decimated each input."""
-    counts = {record["bone"]: record["cgal_triangles"] for record in data["proved"]}
-    return ", ".join(f"{bone} {tables.count(count)}" for bone, count in counts.items())
 
 
 def sections(data: Records) -> list[str]:
@@ -132,7 +122,7 @@ FILES = """| file | one line per | columns |
 | [errors.csv](benchmark-data/errors.csv) | input, error, mode | the measure of the [thesis](thesis.md) with a largest error instead of a number of triangles |
 
 `to_original` is the distance from the result to the input, `to_result` the distance from the input to the result. Lengths are mm, memory is
-10^6 bytes. `run.json` has machine, versions and notes. `python3 -m bonebench.document` in `Testing/Benchmark` writes this page again from
+10^6 bytes. `run.json` has machine, versions and notes. `python3 -m bonebench.pages` in `Testing/Benchmark` writes this page again from
 these files.
 """
 
@@ -166,28 +156,3 @@ def readme_section(data: Records, run: dict[str, Any]) -> str:
             tables.summary(data["comparison"], (bone, count), full=False)]
     text += [f"{note}\n" for note in run["notes"] if "do not quote" in note and bone not in note]
     return "\n".join(text)
-
-
-def write_readme(script: str, section: str) -> None:
-    """Replaces what lies between the marks of a script; fails if the marks are not there."""
-    readme = ROOT / "README.md"
-    begin, end = f"<!-- begin, written by Testing/Benchmark/{script} -->\n", f"\n<!-- end, written by Testing/Benchmark/{script} -->"
-    text = readme.read_text(encoding="utf-8")
-    if begin not in text:
-        raise SystemExit(f"{readme} has no line {begin}")
-    before, rest = text.split(begin, 1)
-    readme.write_text(before + begin + section + end + rest.split(end, 1)[1], encoding="utf-8")
-
-
-def write() -> None:
-    """The page and the README's section from Documentation/results/benchmark-data."""
-    data, run = records.read(RESULTS / DATA)
-    plots = sorted(path.name for path in IMAGES.glob("benchmark-*.png"))
-    (RESULTS / "benchmark.md").write_text(page(data, run, plots, "../images"), encoding="utf-8")
-    if data["comparison"]:
-        (RESULTS / "thesis.md").write_text(thesis_page(data), encoding="utf-8")
-        write_readme("run.sh", readme_section(data, run))
-
-
-if __name__ == "__main__":
-    write()

@@ -9,6 +9,7 @@ import statistics
 from pathlib import Path
 from typing import Any, Iterator, Sequence
 
+from . import machine
 from .bones import Bone
 from .contest import Verifier
 from .workers import Outcome, Programs, call
@@ -18,22 +19,17 @@ ERRORS = (0.1, 0.2, 0.5, 1.0)  # mm
 
 def with_error(programs: Programs, verifier: Verifier, bone: Bone, modes: Sequence[str], rounds: int,
                folder: Path) -> Iterator[dict[str, Any]]:
-    """Each mode with each proved largest error, on two threads: in turn with CGAL's Lindstrom-Turk without an error, round after
-    round, and once without the intersection guard."""
+    """Each mode with each proved largest error, on two threads, and once without the intersection guard."""
     result = folder / "result.ply"
     for guard, error, mode in itertools.product(("on", "off"), ERRORS, modes):
-        runs, beside = [], []
-        for _ in range(rounds if guard == "on" else 1):
-            if programs.has("cgal"):
-                beside.append(call([programs.path("cgal"), bone.file, folder / "peer.ply", bone.counts()[0]]))
-            runs.append(call([programs.path("run"), bone.file, result, "core", mode, 2, "--error", error,
-                              "--IntersectionGuard", guard]))
+        others = machine.Others()
+        runs = [call([programs.path("run"), bone.file, result, "core", mode, 2, "--error", error, "--IntersectionGuard", guard])
+                for _ in range(rounds if guard == "on" else 1)]
         failed = next((run for run in runs if "failure" in run), None)
         outcome = failed or {**runs[-1], "seconds": median(runs, "seconds"), "cpu_seconds": median(runs, "cpu_seconds"),
                              "certificate_seconds": statistics.median(run["proved"]["own_seconds"] for run in runs),
-                             "runs": len(runs), "measured": verifier.compare(bone.file, result)}
-        yield {"bone": bone.name, "input": bone.triangles, "error": error, "mode": mode, "guard": guard, "measured": {},
-               "peer_faces": bone.counts()[0], "peer_seconds": median(beside, "seconds"), **outcome}
+                             "runs": len(runs), "others": others.cores(), "measured": verifier.compare(bone.file, result)}
+        yield {"bone": bone.name, "input": bone.triangles, "error": error, "mode": mode, "guard": guard, "measured": {}, **outcome}
 
 
 def median(outcomes: Sequence[Outcome], key: str) -> float | None:

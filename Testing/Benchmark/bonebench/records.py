@@ -34,7 +34,7 @@ COLUMNS = {
     "threads": ["bone", "requested_triangles", "mode", "threads", "kernels", "seconds", "cpu_seconds", "checksum"],
     "proved": ["bone", "input_triangles", "error_mm", "mode", "intersection_guard", "triangles", "proved_mm",
                "proved_boundary_mm", "hausdorff_mm", "self_intersecting_pairs", "runs", "seconds", "cpu_seconds",
-               "certificate_seconds", "cgal_triangles", "cgal_seconds", "over_cgal", "bytes_per_triangle"],
+               "certificate_seconds", "bytes_per_triangle"],
     "errors": ["bone", "error_mm", "mode", "triangles", *POINTS, "hausdorff_mm", "seconds"],
 }
 
@@ -54,11 +54,6 @@ def text(value: Any, digits: int = 6) -> str:
     if value is None:
         return ""
     return f"{value:.{digits}g}" if isinstance(value, float) else str(value)
-
-
-def ratio(value: float | None, base: float | None) -> str:
-    """A quotient with three decimals; empty if one of both is missing."""
-    return f"{value / base:.3f}" if value is not None and base else ""
 
 
 def at(values: dict[str, Any] | None, path: Iterable[str]) -> Any:
@@ -107,15 +102,13 @@ def comparison(row: dict[str, Any]) -> list[Record]:
 def proved(row: dict[str, Any]) -> Record:
     """One run with a proved largest error."""
     certificate = row["proved"]
+    seconds = {name: text(row[name]) for name in ("seconds", "cpu_seconds", "certificate_seconds")}
     return {"bone": row["bone"], "input_triangles": text(row["input"]), "error_mm": text(row["error"]), "mode": row["mode"],
             "intersection_guard": row["guard"], "triangles": text(row["triangles"]),
             "proved_mm": f"{certificate['upper']:.6f}", "proved_boundary_mm": f"{certificate['boundaries']:.6f}",
             "hausdorff_mm": text(at(row["measured"], ["hausdorff"])),
             "self_intersecting_pairs": text(at(row["measured"], ["self_intersections"])), "runs": text(row["runs"]),
-            "seconds": text(row["seconds"]), "cpu_seconds": text(row["cpu_seconds"]),
-            "certificate_seconds": text(row["certificate_seconds"]),
-            "cgal_triangles": text(row["peer_faces"]), "cgal_seconds": text(row["peer_seconds"]),
-            "over_cgal": ratio(row["seconds"], row["peer_seconds"]),
+            **(seconds if row["others"] <= machine.QUIET else {}),
             "bytes_per_triangle": f"{(row['input_bytes'] + row['peak_bytes']) / row['input']:.0f}"}
 
 

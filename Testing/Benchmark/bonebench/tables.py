@@ -160,11 +160,11 @@ def proved_cost(proved: Sequence[Record]) -> str:
         key = (on["bone"], on["error_mm"], on["mode"])
         off = next((r for r in proved if (r["bone"], r["error_mm"], r["mode"]) == key and r["intersection_guard"] == "off"), {})
         lines.append([f"{on['bone']}, {on['error_mm']} mm", titled(on["mode"]), on["proved_mm"], on["proved_boundary_mm"],
-                      number(on["seconds"]), number(on["certificate_seconds"]), number(on["over_cgal"]), on["bytes_per_triangle"],
+                      number(on["seconds"]), number(on["certificate_seconds"]), on["bytes_per_triangle"],
                       count(on["self_intersecting_pairs"]), count(off.get("triangles")), number(off.get("seconds")),
                       count(off.get("self_intersecting_pairs"))])
     return markdown(["input, error", "mode", "proved mm", "proved, boundaries mm", "s", "of these the certificate",
-                     "s / CGAL's s", "bytes per input triangle", "self-intersecting pairs", "without guard: triangles", "without guard: s",
+                     "bytes per input triangle", "self-intersecting pairs", "without guard: triangles", "without guard: s",
                      "without guard: self-intersecting pairs"], lines)
 
 

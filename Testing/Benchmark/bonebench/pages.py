@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The pages and sections that are written from Documentation/results/benchmark-data.
+
+    python3 -m bonebench.pages [--check]     --check: writes nothing, and ends with 1 where a page is not what the data say
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+from . import audit_page, document, records, tables
+from .document import DATA, IMAGES, RESULTS, ROOT
+from .records import Records, read_file
+
+README, EVIDENCE = ROOT / "README.md", ROOT / "Documentation" / "paper" / "evidence.md"
+
+
+def with_parts(page: Path, parts: dict[str, str]) -> str:
+    """The page with each part between its mark and the next end."""
+    return re.sub(r"(?s)(<!-- table: (.+?) -->\n).*?(<!-- end -->)", lambda mark: f"{mark[1]}{parts[mark[2]]}{mark[3]}",
+                  page.read_text(encoding="utf-8"))
+
+
+def evidence(data: Records) -> dict[str, str]:
+    """The tables of the paper."""
+    audit, certificates = (read_file(RESULTS / DATA / name) for name in audit_page.FILES)
+    return {"audit": audit_page.kept_by_program(audit), "certificates": audit_page.beside_others(certificates),
+            "equal counts": tables.by_method(data["comparison"], lambda record: tables.number(tables.worst(record, "rms"))),
+            "proved": tables.proved_triangles(data["proved"]), "thesis": tables.thesis_counts(data["comparison"])}
+
+
+def generated() -> dict[Path, str]:
+    """The text of each page."""
+    data, run = records.read(RESULTS / DATA)
+    plots = sorted(path.name for path in IMAGES.glob("benchmark-*.png"))
+    sections = {"benchmark": document.readme_section(data, run),
+                "audit": audit_page.readme_section(read_file(RESULTS / DATA / audit_page.FILES[0]))}
+    return {RESULTS / "benchmark.md": document.page(data, run, plots, "../images"), RESULTS / "thesis.md": document.thesis_page(data),
+            RESULTS / "audit.md": audit_page.page(RESULTS / DATA), README: with_parts(README, sections),
+            EVIDENCE: with_parts(EVIDENCE, evidence(data))}
+
+
+def write() -> None:
+    """Writes all of them."""
+    for page, text in generated().items():
+        page.write_text(text, encoding="utf-8")
+
+
+def main() -> int:
+    """Writes or checks."""
+    if "--check" not in sys.argv:
+        write()
+        return 0
+    wrong = [page for page, text in generated().items() if page.read_text(encoding="utf-8") != text]
+    for page in wrong:
+        print(f"{page.relative_to(ROOT)} is not what the data say: python3 -m bonebench.pages in Testing/Benchmark writes it again")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
