@@ -14,8 +14,7 @@ ROOT = Path(__file__).resolve().parents[3]
 RESULTS, IMAGES = ROOT / "Documentation" / "results", ROOT / "Documentation" / "images"
 METHOD = Path(__file__).parents[1] / "method.md"
 DATA = "benchmark-data"
-PLOT_SUFFIXES = {"error": "RMS distance against the number of triangles", "time": "seconds against the number of triangles",
-                 "curve": "fraction of the input's surface within a distance"}
+PLOT_SUFFIXES = {"error": "RMS distance against the number of triangles", "curve": "fraction of the input's surface within a distance"}
 
 
 def conditions(run: dict[str, Any]) -> str:
@@ -39,6 +38,7 @@ def main_goal(data: Records) -> tuple[str, str]:
 def comparison(data: Records) -> list[str]:
     """Distance, time, memory and topology at equal numbers of triangles."""
     compared = data["comparison"]
+    timed = [record for record in compared if record["seconds"]]
     bone, count = main_goal(data)
     return [
         "## How close is the result to the input?\n",
@@ -48,10 +48,10 @@ def comparison(data: Records) -> list[str]:
         "Sampled Hausdorff distance in mm.\n",
         tables.by_method(compared, lambda r: tables.number(r["hausdorff_mm"])),
         "## How long does it take?\n",
-        "Seconds on one thread; a dash where other programs used the processor during the run.\n",
-        tables.by_method(compared, lambda r: tables.number(r["seconds"])),
+        "Seconds on one thread, where nothing else ran.\n",
+        tables.by_method(timed, lambda r: tables.number(r["seconds"])),
         "The modes on one thread, on two, and through the VTK filter:\n",
-        tables.seconds_of_modes(compared),
+        tables.seconds_of_modes(timed),
         "## One input with all figures\n",
         f"`{bone}` with {int(count):,} requested triangles, closest first, one thread unless stated otherwise.\n",
         tables.summary(compared, (bone, count), full=True),
@@ -140,7 +140,8 @@ def page(data: Records, run: dict[str, Any], plots: list[str], images: str) -> s
     parts = [METHOD.read_text(encoding="utf-8"), "## This run\n", conditions(run), *sections(data)]
     if plots:
         parts += ["## Plots\n", *(f"![{caption(name)}]({images}/{name})\n" for name in plots)]
-    return "\n".join([*parts, "## Data files\n", FILES])
+    files = [line for line in FILES.splitlines() if not line.startswith("| [") or data[line[3:].split(".csv")[0]]]
+    return "\n".join([*parts, "## Data files\n", *files, ""])
 
 
 def readme_section(data: Records, run: dict[str, Any]) -> str:

@@ -29,7 +29,7 @@ def evidence(data: Records) -> dict[str, str]:
     audit, certificates = (read_file(RESULTS / DATA / name) for name in audit_page.FILES)
     return {"audit": audit_page.kept_by_program(audit), "certificates": audit_page.beside_others(certificates),
             "equal counts": tables.by_method(data["comparison"], lambda record: tables.number(tables.worst(record, "rms"))),
-            "proved": tables.proved_triangles(data["proved"]), "thesis": tables.thesis_counts(data["comparison"])}
+            "proved": tables.thesis_errors(data["errors"]), "thesis": tables.thesis_counts(data["comparison"])}
 
 
 def generated() -> dict[Path, str]:

@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend first)
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
+from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
 
 from .records import BACK, THERE, find, value_of  # noqa: E402
 
@@ -112,14 +112,6 @@ def draw(axes: Axes, lines: dict[str, list[tuple[Row, Entry]]], modes: Sequence[
     label_ends(axes, ends)
 
 
-def seconds_axis(axes: Axes) -> None:
-    """Logarithmic, in plain figures."""
-    axes.set_yscale("log")
-    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{y:g}"))
-    axes.yaxis.set_minor_formatter(NullFormatter())
-
-
 def worst_rms(entry: Entry | None) -> float | None:
     """The larger of the two directions."""
     values = [value for side in (THERE, BACK) if (value := value_of(entry, side, "rms")) is not None]
@@ -147,21 +139,6 @@ def error_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool:
     if any((worst_rms(e) or 0) > top * (worst_rms(find(r, "cgal")) or 1) for r in rows for e in r["entries"]):
         axes.text(0.01, 0.98, f"what lies above {top:g} is drawn at {top:g}", transform=axes.transAxes, fontsize=8.5,
                   va="top", color="#606060")
-    figure.savefig(target)
-    plt.close(figure)
-    return True
-
-
-def time_plot(rows: Sequence[Row], modes: Sequence[str], target: Path) -> bool:
-    """Median seconds of the decimation against triangles."""
-    if not rows:
-        return False
-    figure, axes = plt.subplots(figsize=(7.2, 4.6))
-    count_axis(axes, rows)
-    seconds_axis(axes)
-    axes.set_ylabel("seconds")
-    axes.set_title(f"Seconds of the decimation alone: {title_of(rows)}", pad=12)
-    draw(axes, series(rows, lambda e: True), modes, lambda _, entry: entry["median_seconds"])
     figure.savefig(target)
     plt.close(figure)
     return True
@@ -241,8 +218,6 @@ def draw_all(figures: dict[str, Any], folder: Path) -> list[tuple[str, str]]:
             mine = [row for row in rows if row["bone"] == bone]
             made += [(f"benchmark-{bone}-error.png", f"{bone}: distance against triangles")] * error_plot(
                 mine, modes, folder / f"benchmark-{bone}-error.png")
-            made += [(f"benchmark-{bone}-time.png", f"{bone}: time against triangles")] * time_plot(
-                mine, modes, folder / f"benchmark-{bone}-time.png")
         for bone in dict.fromkeys([*several, *filter(None, [largest])]):
             row = next(row for row in rows if row["bone"] == bone)
             row = next((r for r in rows if r["bone"] == bone and r["requested"] == 10000), row)
