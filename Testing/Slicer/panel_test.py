@@ -171,6 +171,7 @@ class Panel(unittest.TestCase):
             panel._onChange()
             self.assertEqual([note.text for note in panel.options.notes], ["There is no engine."] * len(panel.options.SECTIONS))
             self.assertEqual(panel.options.values(), {})
+            self.assertIn("Nothing works yet", panel.package.text.text)
         panel._fillOptions()
         self.assertEqual(set(panel.options.values()), {row["flag"] for row in panel.table.panel_rows()})
         self.assertFalse(panel.options.notes[0].visible)
@@ -193,6 +194,28 @@ class Panel(unittest.TestCase):
         self.assertTrue(closed.GetPolyData().GetCellData().HasArray("BoneCap"))
         self.assertIn("triangles of caps", self.panel.text.text)
         self.panel.source.setCurrentNode.assert_called_with(closed)
+
+    def test_two_models_are_compared_and_colored(self):
+        self.press(self.panel._onSimplify)
+        first, second = self.panel.results
+        self.panel.compare.reference.currentNode.return_value, self.panel.compare.result.currentNode.return_value = first, second
+        self.panel.compare.tolerance.value = 100.0
+        self.press(self.panel._onCompare)
+        self.assertIn("tolerance of 100 mm: proved", self.panel.compare.text.text)
+        for model in (first, second):
+            distances = model.GetPolyData().GetPointData().GetArray("Distance")
+            self.assertEqual(distances.GetNumberOfTuples(), model.GetPolyData().GetNumberOfPoints())
+            self.assertGreaterEqual(distances.GetRange()[0], 0.0)
+            self.assertTrue(model.GetDisplayNode().GetScalarVisibility())
+
+    def test_an_installed_package_is_used_at_once(self):
+        self.assertIn("everything works", self.panel.package.text.text)
+        before = len(self.panel.options.of_flag)
+        old = self.panel.logic.engine
+        self.panel._onInstalled()
+        self.assertIsNot(self.panel.logic.engine, old)
+        self.assertEqual(len(self.panel.options.of_flag), before)
+        self.panel.mode.addItems.assert_called_once_with(self.panel.table.modes)
 
     def test_live_preview_comes_and_goes(self):
         self.panel._onLive(True)

@@ -9,10 +9,12 @@ import qt
 import slicer
 import vtk
 from BoneDecimatorLib.checks import AUTOMATIC
+from BoneDecimatorLib.compare_widgets import CompareWidgets, with_progress
 from BoneDecimatorLib.engines import Canceled, DecimationError, NoEngine
 from BoneDecimatorLib.logic import CAPS, NO_SMOOTHING, OWN_DISTANCE, SMOOTHINGS, BoneDecimatorLogic, presets, smoothing_of, spacing_of
 from BoneDecimatorLib.option_table import SEGMENT_RUNS
 from BoneDecimatorLib.option_widgets import OptionWidgets, number_box
+from BoneDecimatorLib.package_widgets import PackageWidgets
 from BoneDecimatorLib.preview import Preview
 from BoneDecimatorLib.request import Request
 from BoneDecimatorLib.segmentation import has_label_map
@@ -48,7 +50,10 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self._addSmoothing()
         self._addOptions()
         self._addCaps()
+        self.compare = CompareWidgets(self._section("Compare two models", collapsed=True), self._nodes, self._millimeters,
+                                      lambda: self._try(self._onCompare))
         self._addPreview()
+        self.package = PackageWidgets(self._section("Python package", collapsed=True), self._try, self._onInstalled)
         self._fillOptions()
         self.layout.addStretch(1)
 
@@ -170,6 +175,10 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
             self.table = self.logic.engine.table
         except DecimationError as problem:
             self.options.explain(str(problem))
+            self.package.tell(None)
+            return
+        self.package.tell(self.logic.engine)
+        if self.options.of_flag:  # filled by the engine before
             return
         rows = self.table.rows
         for box, choices, name in ((self.mode, self.table.modes, "Mode"), (self.keepVoxels, rows["KeepVoxels"]["choices"], "KeepVoxels")):
@@ -286,32 +295,17 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         except Canceled:
             self.text.text = "Canceled; nothing has changed."
         except DecimationError as problem:
-            self._offerWheel(problem)
-
-    def _offerWheel(self, problem):
-        """Installs the wheel from a file of the user: no public index has it."""
-        if not isinstance(problem, NoEngine):
+            if isinstance(problem, NoEngine):
+                self.package.expand()
             slicer.util.errorDisplay(str(problem))
-        elif slicer.util.confirmOkCancelDisplay(f"{problem}\n\nChoose the wheel now?"):
-            wheel = qt.QFileDialog.getOpenFileName(None, "The wheel", "", "Wheels (bonedecimate-*.whl)")
-            if wheel:
-                slicer.util.pip_install(f'"{wheel}"')
-                self._fillOptions()
+
+    def _onInstalled(self):
+        self.logic.renew_engine()
+        self._fillOptions()
 
     def _onSimplify(self):
         self.live.checked = False
-        dialog = slicer.util.createProgressDialog(labelText="Simplifying", maximum=100, windowModality=qt.Qt.WindowModal)
-
-        def tell(fraction):
-            dialog.value = int(100 * fraction)
-            slicer.app.processEvents()
-            return not dialog.wasCanceled
-
-        try:
-            lines = self._simplify(tell)
-        finally:
-            dialog.close()
-        self.text.text = "\n".join(lines)
+        self.text.text = "\n".join(with_progress("Simplifying", self._simplify))
 
     def _simplify(self, tell):
         source, segments = self.source.currentNode(), self._chosenSegments()
@@ -335,6 +329,11 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         self.source.setCurrentNode(node)  # what is simplified next
         self.text.text = "\n".join(lines)
 
+    def _onCompare(self):
+        nodes = with_progress("Proving the distance", lambda tell: self.compare.run(self.logic, tell))
+        if nodes:
+            self._showDistances(nodes, "distance to the other model, mm")
+
     def _onUndo(self):
         if self.logic.can_undo():
             node = self.logic.undo()
@@ -355,13 +354,17 @@ class BoneDecimatorWidget(ScriptedLoadableModuleWidget):
         nodes = [node for node in self.results if node.GetPolyData().GetPointData().GetArray(DISTANCE) is not None]
         if not nodes:
             raise DecimationError("Simplify first: there is no distance to show.")
+        self._showDistances(nodes, "distance to the original, mm")
+
+    def _showDistances(self, nodes, title):
         for node in nodes:
+            node.CreateDefaultDisplayNodes()
             display = node.GetDisplayNode()
             display.SetActiveScalar(DISTANCE, vtk.vtkAssignAttribute.POINT_DATA)
             display.SetAndObserveColorNodeID("vtkMRMLColorTableNodeFileViridis.txt")
             display.SetScalarVisibility(True)
         legend = slicer.modules.colors.logic().AddDefaultColorLegendDisplayNode(nodes[0])
-        legend.SetTitleText("distance to the original, mm")
+        legend.SetTitleText(title)
 
     def _onLevel(self, percent):
         source, target = self.source.currentNode(), self.target.currentNode()

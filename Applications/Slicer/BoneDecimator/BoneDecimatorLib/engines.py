@@ -18,9 +18,12 @@ import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
 from .checks import DecimationError
+from .comparison import Comparison
 from .option_table import OptionTable
 
+PACKAGE_VERSION = "0.1.0"  # of the Python package that this module was made for
 TOLERANCE = "Tolerance"  # mm, point array of what goes in
+VIOLATED_OR_UNDECIDED = (6, 7)  # exit codes of the command certify
 CAP_TOLERANCE = 0.01  # mm, how far points of a boundary may lie from its plane
 
 
@@ -59,8 +62,16 @@ def find_engine(program=None):
     program = program or shutil.which("bonedecimate")
     if program:
         return ProgramEngine(program)
-    raise NoEngine("Neither the Python package bonedecimate nor the program bonedecimate is there. Install the package's "
-                   "wheel into Slicer's Python, or put the program on the PATH.")
+    raise NoEngine("Neither the Python package bonedecimate nor the program bonedecimate is there. Install the package in the section "
+                   "'Python package', or put the program on the PATH.")
+
+
+def _write(surface, file):
+    writer = vtk.vtkXMLPolyDataWriter()
+    writer.SetFileName(str(file))
+    writer.SetInputData(surface)
+    if not writer.Write():
+        raise DecimationError(f"Could not write to {file.parent}.")
 
 
 def with_tolerances(surface, tolerances):
@@ -175,6 +186,20 @@ class WheelEngine:
             raise DecimationError(str(problem)) from problem
         return closed, notes
 
+    def compare(self, reference, result, tolerance=None, progress=None):
+        """A Comparison of two surfaces.  @param tolerance mm; None: none."""
+        import bonedecimate
+        goes_on = _Progress(progress)
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # the report has what was left out
+                found = bonedecimate.certify(reference, result, tolerance=tolerance, progress=goes_on)
+        except bonedecimate.Aborted as problem:
+            raise Canceled("Canceled.") from problem
+        except (TypeError, ValueError) as problem:
+            raise DecimationError(str(problem)) from problem
+        return Comparison(json.loads(found.report_as_json), (abs(found.reference_distance), abs(found.result_distance)))
+
     def record_levels(self, surface, options):
         """bonedecimate.Levels of the surface's triangles."""
         import bonedecimate
@@ -255,6 +280,17 @@ class ProgramEngine:
         is_open = counts["open_loops"]
         return closed, [f"{is_open} boundaries stay open"] if is_open else []
 
+    def compare(self, reference, result, tolerance=None, progress=None):
+        """As that of the wheel, without distances of points."""
+        with tempfile.TemporaryDirectory(prefix="bonedecimate-") as folder:
+            files = [Path(folder, name) for name in ("reference.vtp", "result.vtp")]
+            for surface, file in zip((reference, result), files):
+                _write(surface, file)
+            report = Path(folder, "certificate.json")
+            words = [] if tolerance is None else ["--tolerance", repr(float(tolerance))]
+            self._run([self.program, "certify", *map(str, files), "--json", str(report), "--quiet", *words], progress, VIOLATED_OR_UNDECIDED)
+            return Comparison(json.loads(report.read_text(encoding="utf-8")), None)
+
     def _run_on_files(self, surface, line_of, progress, read=None):
         """What the program makes of a surface.
 
@@ -263,11 +299,7 @@ class ProgramEngine:
         """
         with tempfile.TemporaryDirectory(prefix="bonedecimate-") as folder:
             source, target = Path(folder, "input.vtp"), Path(folder, "output.vtp")
-            writer = vtk.vtkXMLPolyDataWriter()
-            writer.SetFileName(str(source))
-            writer.SetInputData(surface)
-            if not writer.Write():
-                raise DecimationError(f"Could not write to {folder}.")
+            _write(surface, source)
             self._run([self.program, *line_of(folder, [str(source), str(target)])], progress)
             if read is not None:
                 read(folder)
@@ -279,7 +311,8 @@ class ProgramEngine:
             return reader.GetOutput()
 
     @staticmethod
-    def _run(words, progress):
+    def _run(words, progress, accepted=()):
+        """@param accepted Exit codes beside 0 that are results."""
         # A file takes any number of messages while only the other stream is read.
         with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as errors:
             with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=errors, text=True) as process:
@@ -290,5 +323,5 @@ class ProgramEngine:
                         raise Canceled("Canceled.")
             errors.seek(0)
             problem = errors.read().strip()
-        if process.returncode != 0:
+        if process.returncode != 0 and process.returncode not in accepted:
             raise DecimationError(problem or f"The program ended with {process.returncode}.")

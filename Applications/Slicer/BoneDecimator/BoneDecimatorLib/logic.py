@@ -10,6 +10,7 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 from . import checks, preview, regions, segmentation
 from .checks import AUTOMATIC, DecimationError
+from .comparison import comparison_lines
 from .engines import find_engine
 from .surfaces import COLORS, polydata_of, report_of, set_colors, set_distance, set_report
 
@@ -161,6 +162,34 @@ class BoneDecimatorLogic:
         target = self._node_for(source, target, "closed")
         self._put(target, closed)
         return target, [f"{int(is_cap.sum()):,} triangles of caps; they are outside of every tolerance", *notes]
+
+    def compare(self, reference, result, tolerance=None, progress=None):
+        """Proves how far two model nodes are from each other. Both get the distance of each point, if the engine measures it.
+
+        @param tolerance mm; None: none.
+        @return The nodes that have distances now, and lines of text.
+        """
+        nodes = (reference, result)
+        surfaces = [surface_of(node) for node in nodes]
+        if reference is result:
+            raise DecimationError("Choose two models: this is one.")
+        if reference.GetTransformNodeID() != result.GetTransformNodeID():
+            raise DecimationError("The models are under different transforms: harden the transforms first.")
+        if tolerance is not None:
+            checks.check_length("The tolerance", tolerance)
+        found = self.engine.compare(*surfaces, tolerance, progress)
+        if found.distances is None:
+            return [], comparison_lines(found.report, tolerance)
+        for node, surface, distance in zip(nodes, surfaces, found.distances):
+            measured = vtk.vtkPolyData()
+            measured.ShallowCopy(surface)
+            set_distance(measured, distance)
+            node.SetAndObservePolyData(measured)
+        return list(nodes), comparison_lines(found.report, tolerance)
+
+    def renew_engine(self):
+        """Looks for the engine again, after one was installed."""
+        self._engine = None
 
     def decimate_segments(self, source, request, segments=None, as_models=True, progress=None):
         """Segments of a segmentation node, extracted from their voxels with walls in common and simplified together.
