@@ -56,8 +56,15 @@ async function block(name, values) {
 
 const script = await bundle(at('app', 'app.js'), [modules(await bundle(at('npm', 'worker.js')))]);
 const licenses = await Promise.all([at('viewer', 'LICENSES.txt'), at('app', 'LICENSES.txt')].map((file) => readFile(file, 'utf8')));
-const head = (await block('head', { title: 'Simplify a bone surface' })).replace(/(Security-Policy" content=")[^"]*/, `$1${POLICY}`);
-const viewer = await block('viewer', { legend: 'Distance to the other surface, mm', parts: 'Parts' });
+const head = (await block('head', { title: 'Simplify a bone surface, or compare two' })).replace(/(Security-Policy" content=")[^"]*/, `$1${POLICY}`);
+const viewer = await block('viewer', {
+  legend: 'Distance to the other surface, mm',
+  parts: 'Parts',
+  rounding: 'Between points, colors are interpolated: inside a large triangle the distance may be smaller or larger.',
+  x: 'x',
+  y: 'y',
+  z: 'z',
+});
 const body = await readFile(at('app', 'app.html'), 'utf8');
 const safe = script.replaceAll('</script', '<\\/script');
 await writeFile(

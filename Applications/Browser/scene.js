@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the viewer of pages (Applications/Picture/Viewer) shows of two surfaces.
+import { farthestPoints } from './farthest.js';
 
 /** Colors of distances from 0 to the end of the range, as in DistanceColors.cxx. */
 const COLORS = [
@@ -18,6 +19,9 @@ const STEPS = 255;
 const MARGIN = 1.06;
 const LEAST_RANGE = 0.001; // mm
 const MOST = 0.999; // of the points are within the range of colors
+/** Letters at both ends of each axis, as in FarthestPoints.cxx. */
+const AXES = [['', 'x'], ['', 'y'], ['', 'z']];
+const AXES_OF_PATIENT = [['R', 'L'], ['A', 'P'], ['I', 'S']];
 
 function colorAt(step) {
   const at = (step / STEPS) * (COLORS.length - 1);
@@ -34,12 +38,15 @@ function rangeOf(distances) {
   return Number(Math.max(LEAST_RANGE, ...ends).toPrecision(2));
 }
 
-function boundsOf(points) {
+/** Of all points of several surfaces. */
+function boundsOf(lists) {
   const bounds = [Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
-  for (let i = 0; i < points.length; ++i) {
-    const axis = i % 3;
-    bounds[2 * axis] = Math.min(bounds[2 * axis], points[i]);
-    bounds[2 * axis + 1] = Math.max(bounds[2 * axis + 1], points[i]);
+  for (const points of lists) {
+    for (let i = 0; i < points.length; ++i) {
+      const axis = i % 3;
+      bounds[2 * axis] = Math.min(bounds[2 * axis], points[i]);
+      bounds[2 * axis + 1] = Math.max(bounds[2 * axis + 1], points[i]);
+    }
   }
   return bounds;
 }
@@ -59,29 +66,35 @@ function viewOf(bounds) {
 
 const counted = (surface) => (surface.triangles.length / 3).toLocaleString('en-US');
 
-/** @param distances mm, of the points of each surface; empty: none. @returns The scene, and the pieces of both surfaces. */
-export function makeScene(before, after, distances) {
+/** Distances as steps of the range, rounded down, so that none looks larger than its bound; none: null. */
+function stepsOf(distances, range) {
+  const step = (value) => Math.min(STEPS, Math.floor((STEPS * value) / range)) || 0;
+  return distances.length > 0 ? Uint8Array.from(distances, step) : null;
+}
+
+/**
+ * @param surfaces Two. @param names What the captions call them.
+ * @param distances mm, of the points of each surface; empty: none. @param peaks As of farthestPoints().
+ * @param isOfPatient Whether the axes are those of patients, LPS.
+ * @returns The scene, and the pieces of both surfaces.
+ */
+export function makeScene({ surfaces, names, distances, peaks = [], isOfPatient }) {
   const range = rangeOf(distances);
-  const bounds = boundsOf(before.points);
-  const piece = ({ points, triangles }, side) => ({
-    parts: [0],
-    points: new Float32Array(points),
-    triangles,
-    distances:
-      distances[side].length > 0
-        ? Uint8Array.from(distances[side], (value) => Math.min(STEPS, Math.round((STEPS * value) / range)))
-        : null,
-  });
+  const bounds = boundsOf(surfaces.map(({ points }) => points));
+  const view = viewOf(bounds);
+  const axes = isOfPatient ? AXES_OF_PATIENT : AXES;
   const colors = Array.from({ length: STEPS + 1 }, (_, step) => colorAt(step));
   const scene = {
     bounds,
-    view: viewOf(bounds),
+    view,
+    axes,
     parts: [{ name: 'surface', color: null }],
-    distances: { range, colors },
-    surfaces: [
-      { caption: `Before: ${counted(before)} triangles` },
-      { caption: `After: ${counted(after)} triangles` },
-    ],
+    distances: { range, colors, threshold: 0 },
+    farthest: farthestPoints(surfaces, distances, peaks, 2 * view.radius, axes),
+    surfaces: surfaces.map((surface, side) => ({ caption: `${names[side]}: ${counted(surface)} triangles` })),
   };
-  return { scene, pieces: [[piece(before, 0)], [piece(after, 1)]] };
+  const pieces = surfaces.map(({ points, triangles }, side) => [
+    { parts: [0], points: new Float32Array(points), triangles, distances: stepsOf(distances[side], range) },
+  ]);
+  return { scene, pieces };
 }

@@ -85,6 +85,28 @@ test('proves the largest error', async () => {
   assert.ok(fractions.every((done, i) => i === 0 || done >= fractions[i - 1]));
 });
 
+/** Two squares at a height, without common points: each has two triangles with corners of their own. */
+function squaresAt(height) {
+  const square = (x) => [x, 0, x + 1, 0, x + 1, 1, x, 0, x + 1, 1, x, 1];
+  const flat = [...square(0), ...square(3)];
+  const points = Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1], height]).flat();
+  return { points: new Float32Array(points), triangles: Uint32Array.from(points.slice(0, points.length / 3), (_, i) => i) };
+}
+
+test('certifies with means, distances of points and components', async () => {
+  const [reference, result] = [squaresAt(0), squaresAt(0.75)];
+  const found = await certify(reference, result, { tolerance: 0.7, means: true, pointDistances: true });
+  assert.ok(found.lower <= 0.75 && 0.75 <= found.upper && found.upper < 0.751);
+  assert.equal(found.report.status, 'violated');
+  for (const direction of ['reference_to_result', 'result_to_reference']) {
+    assert.ok(Math.abs(found.report[direction].mean - 0.75) < 0.01 && Math.abs(found.report[direction].rms - 0.75) < 0.01);
+  }
+  assert.deepEqual([found.referenceComponents, found.resultComponents], [2, 2]);
+  assert.ok(found.referenceDistance.length === 12 && found.referenceDistance.every((distance) => Math.abs(distance - 0.75) < 1e-6));
+  const without = await certify(reference, reference);
+  assert.deepEqual([without.upper < 1e-6, without.report.reference_to_result.mean], [true, undefined]);
+});
+
 test('gives the bytes of the program', { skip: !process.env.NATIVE }, async () => {
   const folder = mkdtempSync(join(tmpdir(), 'bonedecimate-'));
   try {

@@ -8,6 +8,7 @@ With the program bonedecimate what the page saves is compared with what the prog
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -59,6 +60,12 @@ def canonical(corners):
     return sorted(rows)
 
 
+def flat_square(height):
+    """Two triangles in a plane z = height."""
+    a, b, c, d = (np.array([x, y, height]) for x, y in ((0, 0), (8, 0), (8, 8), (0, 8)))
+    return np.array([[a, b, c], [a, c, d]], np.float32)
+
+
 def write_ply(path, corners):
     lines = [f"{x:.9g} {y:.9g} {z:.9g}" for x, y, z in corners.reshape(-1, 3)]
     faces = [f"3 {3 * i} {3 * i + 1} {3 * i + 2}" for i in range(len(corners))]
@@ -107,6 +114,8 @@ class BrowserPage(unittest.TestCase):
     def setUp(self):
         self.browser.messages()
         self.browser.requests()
+        self.browser.protocol("Network.enable")
+        self.browser.protocol("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=0, uploadThroughput=0)
         self.browser.open(PAGE)
 
     def tearDown(self):
@@ -126,19 +135,37 @@ class BrowserPage(unittest.TestCase):
     def text(self, selector):
         return self.browser.run("return document.querySelector(arguments[0]).textContent", selector)
 
-    def drop(self, path):
-        """As a person drops a file from another window."""
+    def texts(self, selector):
+        return self.browser.run("return [...document.querySelectorAll(arguments[0])].map((one) => one.textContent)", selector)
+
+    def count(self, selector):
+        return len(self.texts(selector))
+
+    def rows(self):
+        """Of the table of the certificate."""
+        return dict(zip(self.texts("#certificate td:first-child"), self.texts("#certificate td:last-child")))
+
+    def prove(self, tolerance):
+        """The sentence about a tolerance."""
+        self.browser.set("#tolerance", tolerance)
+        self.browser.click("#certify")
+        self.wait("done")
+        return self.rows()["Tolerance"]
+
+    def drop(self, *paths):
+        """As a person drops files from another window."""
         x, y = self.browser.run("const b = document.querySelector('#drop').getBoundingClientRect();"
                                 "return [b.x + b.width / 2, b.y + b.height / 2]")
-        data = {"items": [], "files": [str(path)], "dragOperationsMask": 1}
+        data = {"items": [], "files": [str(path) for path in paths], "dragOperationsMask": 1}
         for kind in ("dragEnter", "dragOver", "drop"):
             self.browser.protocol("Input.dispatchDragEvent", type=kind, x=x, y=y, data=data)
         end = time.monotonic() + 10
         while self.state() is None and time.monotonic() < end:
             time.sleep(0.02)
 
-    def choose(self, path):
-        self.browser.command("POST", f"/element/{self.browser.find('#choose')}/value", {"text": str(path)})
+    def choose(self, *paths):
+        text = "\n".join(str(path) for path in paths)
+        self.browser.command("POST", f"/element/{self.browser.find('#choose')}/value", {"text": text})
 
     def set(self, **options):
         for name, value in options.items():
@@ -167,6 +194,7 @@ class BrowserPage(unittest.TestCase):
         left, right = np.array_split(drawn(self.browser.picture("#viewer-stage")[2:-2, 2:-2]), 2, axis=1)
         self.assertGreater(left.mean(), 0.1)
         self.assertAlmostEqual(left.mean(), right.mean(), delta=0.1 * left.mean())
+        self.assertEqual(self.count("#viewer-farthest button"), 10)
         corners = read_stl(self.saved("#save-stl", "ball-decimated.stl"))
         self.assertEqual(len(corners), after)
         self.assertGreater(self.saved("#save-ply", "ball-decimated.ply").stat().st_size, 12 * after)
@@ -196,6 +224,7 @@ class BrowserPage(unittest.TestCase):
         self.wait("done")
         before, after = (int(self.text(name).replace(",", "")) for name in ("#before", "#after"))
         self.assertLess(after, 0.4 * before)
+        self.assertLessEqual(set(self.texts("#viewer-overlay .letter")), set("RLAPIS"))
         if PROGRAM:
             words = ["--segments", "all", "--max-error", "0.6", "--smooth", "0.4", "--report", self.folder / "report.json"]
             subprocess.run([PROGRAM, self.folder / "labels.nii", self.folder / "native.vtp", *words], check=True, capture_output=True)
@@ -242,6 +271,117 @@ class BrowserPage(unittest.TestCase):
         self.browser.click("#run")
         self.wait("failed")
         self.assertIn("0 to 1e30 mm", self.text("#problem"))
+
+    def test_two_dropped_files_are_compared(self):
+        # The point of the largest x is farther than the shift from all of the other surface, and no point is farther.
+        corners = bumpy_ball(40)
+        shift = 0.25
+        write_stl(self.folder / "first.stl", corners)
+        write_ply(self.folder / "second.ply", corners + np.float32([shift, 0, 0]))
+        self.drop(self.folder / "first.stl", self.folder / "second.ply")
+        self.wait("done")
+        self.assertEqual([self.text("#reference"), self.text("#result")],
+                         [f"{name}: 6,240 triangles" for name in ("first.stl", "second.ply")])
+        self.assertFalse(any(self.browser.is_shown(each) for each in ("#options", "#run", "#save-stl")))
+        rows = self.rows()
+        self.assertIn("no tolerance", rows["Tolerance"])
+        bounds = re.fullmatch(r"([\d.]+) mm to ([\d.]+) mm", rows["Largest distance, both directions"])
+        lower, upper = (float(bound) for bound in bounds.groups())
+        self.assertTrue(lower <= shift + 1e-5 and shift - 1e-5 <= upper <= 1.002 * shift, (lower, upper))
+        for row in ("Reference to result", "Result to reference"):
+            mean, rms = (float(number) for number in re.search(r"mean ([\d.]+) .*RMS ([\d.]+)", rows[row]).groups())
+            self.assertTrue(0.3 * shift < mean < rms < shift, rows[row])
+        self.assertEqual(rows["Components"], "1 of the reference, 1 of the result")
+        self.assert_both_are_drawn_and_the_farthest_is_shown(shift)
+        self.assertIn("Proved: no point of either surface is farther than 0.3 mm", self.prove("0.3"))
+        self.assertRegex(self.prove("0.2"), r"Violated: .* the point -?[\d.]+, -?[\d.]+, -?[\d.]+ is at least 0\.2[45]\d* mm away")
+        self.browser.click("#swap")
+        self.wait("done")
+        self.assertIn("second.ply", self.text("#reference"))
+        self.assertIn("Violated", self.rows()["Tolerance"])
+        self.assert_certificate_is_that_of_the_program(self.saved("#save-json", "first-certificate.json"))
+
+    def assert_both_are_drawn_and_the_farthest_is_shown(self, distance):
+        self.browser.run("document.querySelector('#view').scrollIntoView()")
+        left, right = np.array_split(drawn(self.browser.picture("#viewer-stage")[2:-2, 2:-2]), 2, axis=1)
+        self.assertGreater(left.mean(), 0.1)
+        self.assertAlmostEqual(left.mean(), right.mean(), delta=0.1 * left.mean())
+        self.assertTrue(self.browser.is_shown("#viewer-legend"))
+        self.assertEqual(self.texts("#viewer-compare option")[2:], ["reference alone", "result alone"])
+        points = self.texts("#viewer-farthest button")
+        self.assertEqual(len(points), 10)
+        lengths = [float(point.split()[0]) for point in points]
+        self.assertEqual(lengths, sorted(lengths, reverse=True))
+        self.assertAlmostEqual(lengths[0], distance, delta=2e-4)
+        self.browser.click("#viewer-farthest button")
+        self.assertEqual(self.count("#viewer-overlay circle.chosen"), 2)
+        self.assertEqual(set(self.texts("#viewer-overlay text:not(.letter)")), {f"{points[0].split()[0]} mm"})
+
+    def assert_certificate_is_that_of_the_program(self, path):
+        """Of second.ply and first.stl with 0.2 mm."""
+        found = json.loads(path.read_text(encoding="utf-8"))
+        self.assertEqual((found["status"], found["tolerance"]), ("violated", 0.2))
+        self.assertEqual((found["files"]["reference"], found["files"]["result"]), ("second.ply", "first.stl"))
+        if PROGRAM:
+            files = [self.folder / name for name in ("second.ply", "first.stl", "native.json")]
+            words = [*files[:2], "--tolerance", "0.2", "--json", files[2]]
+            self.assertEqual(subprocess.run([PROGRAM, "certify", *words], check=False, capture_output=True).returncode, 6)
+            native = json.loads(files[2].read_text(encoding="utf-8"))
+            self.assertLessEqual(found.keys(), native.keys())
+            for key in ("reference_to_result", "result_to_reference"):
+                self.assertLessEqual(found[key]["lower"], native[key]["upper"])
+                self.assertLessEqual(native[key]["lower"], found[key]["upper"])
+                self.assertLess(found[key]["upper"] - found[key]["lower"], 2e-3 * found[key]["upper"])
+
+    def test_a_tolerance_may_be_undecided_and_open_boundaries_count(self):
+        write_stl(self.folder / "low.stl", flat_square(0.0))
+        write_stl(self.folder / "high.stl", np.concatenate([flat_square(0.75), flat_square(0.75) + np.float32([20, 0, 0])]))
+        write_stl(self.folder / "flat.stl", flat_square(0.75))
+        self.choose(self.folder / "low.stl", self.folder / "flat.stl")
+        self.wait("done")
+        self.assertIn("Undecided", self.prove("0.75"))
+        self.assertIn("Open boundaries, reference to result", self.rows())
+        self.choose(self.folder / "low.stl", self.folder / "high.stl")
+        self.wait("done")
+        self.assertEqual(self.rows()["Components"], "1 of the reference, 2 of the result")
+        write_stl(self.folder / "whole.stl", bumpy_ball(12))
+        write_stl(self.folder / "open.stl", bumpy_ball(12)[1:])
+        self.choose(self.folder / "whole.stl", self.folder / "open.stl")
+        self.wait("done")
+        self.assertIn("only the result has some", self.prove("20"))
+
+    def test_a_label_map_is_compared_by_its_surfaces(self):
+        write_nifti(self.folder / "map.nii", two_labels(), (0.8, 0.8, 1.2))
+        self.drop(self.folder / "map.nii", self.folder / "ball.stl")
+        self.wait("done")
+        self.assertIn("surfaces of 2 labels", self.text("#reference"))
+        self.assertGreater(float(self.text("#upper").split()[0]), 10.0)
+        self.assertRegex(self.text("#viewer-farthest"), r"at [RL] [\d.]+, [AP] [\d.]+, [IS] [\d.]+")
+
+    def test_says_what_is_wrong_with_a_pair(self):
+        (self.folder / "noise.ply").write_bytes(b"\x07" * 999)
+        small = self.folder / "small.stl"
+        write_stl(small, bumpy_ball(12))
+        for files, pattern in (([small, self.folder / "noise.ply"], "noise.ply: the file is damaged"),
+                               ([self.folder / "noise.ply", small], "noise.ply: the file is damaged"),
+                               ([small] * 3, "3 files")):
+            self.drop(*files)
+            self.wait("failed")
+            self.assertIn(pattern, self.text("#problem"))
+            self.assertFalse(self.browser.is_shown("#results"))
+            self.assertTrue(self.browser.run("return document.querySelector('#certify').disabled"))
+        self.drop(small, small)
+        self.wait("done")
+        for wrong in ("-1", "half", "1e31"):
+            self.browser.set("#tolerance", wrong)
+            self.browser.click("#certify")
+            self.wait("failed")
+            self.assertIn("from 0 to 1e30", self.text("#problem"))
+        self.assertIn("Proved", self.prove("0.001"))
+        self.choose(small)
+        self.wait("done")
+        self.assertTrue(self.browser.is_shown("#run"))
+        self.assertFalse(self.browser.is_shown("#certify"))
 
 
 if __name__ == "__main__":

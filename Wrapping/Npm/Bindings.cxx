@@ -4,6 +4,8 @@
 // arrays. Problems are the text `problem` of what is returned; nothing is thrown.
 #include "BindOptions.h"
 #include "Labels/LabelMap/LabelSurfaces.h"
+#include "Mesh/PointMerging.h"
+#include "Mesh/Statistics.h"
 #include "Proof/Certificate/Certificate.h"
 #include "Run/Decimate.h"
 #include "Run/Report/CertificateTable.h"
@@ -14,6 +16,7 @@
 
 #include <emscripten/bind.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -21,6 +24,8 @@ namespace bonedecimate
 {
 namespace
 {
+constexpr double MeanPrecision = 5e-3; // as the command certify has it
+
 val Failed(const std::string& problem)
 {
   val failed = val::object();
@@ -190,18 +195,39 @@ val RunExtract(const val& map, const val& given, const val& progress)
   return to;
 }
 
+/// Connected by corners of equal coordinates: STL files have each point several times.
+Index CountComponents(Surface surface)
+{
+  LargeArray<Index> first(surface.Points.size(), None); // of corners alone
+  for (const Triangle& triangle : surface.Triangles)
+  {
+    for (const Index corner : triangle)
+    {
+      first[corner] = corner;
+    }
+  }
+  MergeEqualPoints(surface.Points, first);
+  for (Triangle& triangle : surface.Triangles)
+  {
+    triangle = { first[triangle[0]], first[triangle[1]], first[triangle[2]] };
+  }
+  return FindComponents(surface).Count;
+}
+
 val RunCertify(const val& reference, const val& result, const val& given, const val& progress)
 {
   CertificateOptions options;
   options.NumberOfThreads = 1;
   options.RelativeGap = given["relativeGap"].as<double>();
   options.WithPointDistances = given["pointDistances"].as<bool>();
+  options.WithMeans = given["means"].as<bool>();
+  options.MeanPrecision = MeanPrecision;
   if (!given["tolerance"].isUndefined())
   {
     options.Tolerance = given["tolerance"].as<double>();
   }
-  const Certificate found =
-    Certify(ToSurface(reference), ToSurface(result), options, MonitorOf(progress));
+  const std::array<Surface, 2> surfaces = { ToSurface(reference), ToSurface(result) };
+  const Certificate found = Certify(surfaces[0], surfaces[1], options, MonitorOf(progress));
   if (found.Status != CertificateStatus::Good)
   {
     return Failed(StatusSentence(found.Status));
@@ -210,6 +236,8 @@ val RunCertify(const val& reference, const val& result, const val& given, const 
   to.set("lower", found.Lower());
   to.set("upper", found.Upper());
   to.set("report", ReportJson(CertificateEntries(found)));
+  to.set("referenceComponents", CountComponents(surfaces[0]));
+  to.set("resultComponents", CountComponents(surfaces[1]));
   to.set("referenceDistance", ToArray<double>(found.ReferenceToResult.Points.Distance));
   to.set("resultDistance", ToArray<double>(found.ResultToReference.Points.Distance));
   return to;

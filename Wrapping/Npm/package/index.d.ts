@@ -99,13 +99,19 @@ export interface CertifyOptions {
   relativeGap?: number;
   /** Also computes the distance of each point; default false. */
   pointDistances?: boolean;
+  /** Also estimates average and root mean square in both directions, to half a percent; default false. */
+  means?: boolean;
 }
 
 export interface Certificate {
   /** mm, proved bounds of the two-sided distance of the surfaces. */
   lower: number;
   upper: number;
+  /** As Documentation/certificate.schema.json describes it. */
   report: Report;
+  /** Connected by points of equal coordinates. */
+  referenceComponents: number;
+  resultComponents: number;
   /** mm, of each point of the reference; empty without `pointDistances`. */
   referenceDistance: Float64Array;
   resultDistance: Float64Array;
