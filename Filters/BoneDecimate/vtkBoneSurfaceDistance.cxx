@@ -305,7 +305,7 @@ void vtkBoneSurfaceDistance::FillOutput(vtkPolyData* input, vtkPolyData* output,
       distances->InsertNextValue(points.Side[i] < 0 ? -points.Distance[i] : points.Distance[i]);
       sides->InsertNextValue(points.Side[i]);
     }
-    output->GetPointData()->AddArray(distances);
+    output->GetPointData()->SetScalars(distances); // what a view colors by
     output->GetPointData()->AddArray(sides);
   }
   bonedecimate::SetReport(

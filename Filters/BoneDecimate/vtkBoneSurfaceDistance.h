@@ -11,9 +11,9 @@
  * squares come with the error of their estimate.
  *
  * Output port 0: the reference, output port 1: the result. Point data: the signed distance to the
- * other surface, mm (positive outside of it, and where there is no telling), and the side, 1
- * outside, -1 inside, 0 where there is no telling: at boundaries, where the surface is not
- * consistently oriented, and on it. Field data: the report as one JSON text,
+ * other surface, mm (positive outside of it, and where there is no telling), as the active scalars;
+ * and the side, 1 outside, -1 inside, 0 where there is no telling: at boundaries, where the surface
+ * is not consistently oriented, and on it. Field data: the report as one JSON text,
  * BoneDecimateCertificate, and its main figures as arrays of their own:
  * bonedecimate.certificate.status, .lower, .upper, .boundaries, .reference_to_result.{upper, mean}
  * and .result_to_reference.{upper, mean}.

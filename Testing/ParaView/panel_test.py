@@ -113,6 +113,25 @@ class Panel(unittest.TestCase):
             compare.UpdatePipeline()
             self.assertEqual(compare.GetDataInformation().GetNumberOfPoints() > 0, is_valid, value)
 
+    def test_two_surfaces_give_their_certificate_and_are_colored_by_it(self):
+        balls = [simple.Sphere(Radius=radius, ThetaResolution=24, PhiResolution=24) for radius in (10.0, 10.25)]
+        compare = simple.BoneSurfaceDistance(Input=balls[0], Result=balls[1], Tolerance=0.3)
+        # The same corners 0.25 mm farther out: no point is farther, and the corner at the pole is as far.
+        for tolerance, status in ((0.3, "proved"), (0.2, "violated")):
+            compare.Tolerance = tolerance
+            compare.UpdatePipeline()
+            for port in (0, 1):
+                information = compare.GetDataInformation(port).GetFieldDataInformation()
+                lower, upper = (information.GetArrayInformation(f"bonedecimate.certificate.{name}").GetComponentRange(0)[0]
+                                for name in ("lower", "upper"))
+                self.assertTrue(lower <= 0.25 + 1e-5 and 0.25 - 1e-5 <= upper <= 0.2501, (lower, upper))
+                self.assertEqual(surfaces.report(compare)["bonedecimate.certificate.status"], status)
+                self.assertIn("SignedDistance (mm)", simple.OutputPort(compare, port).PointData.keys())
+        view = simple.CreateView("RenderView")
+        for port in (0, 1):
+            shown = simple.Show(simple.OutputPort(compare, port), view)
+            self.assertEqual(shown.ColorArrayName[:], ["POINTS", "SignedDistance (mm)"])
+
     def test_distances_say_their_unit(self):
         decimate = simple.BoneDecimate(Input=self.bone, MaximumError=0.2, MeasureInputDistances=1)
         decimate.UpdatePipeline()
