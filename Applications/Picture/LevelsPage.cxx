@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FarthestPoints.h"
 #include "NumberText.h"
 #include "Page.h"
 #include "PageParts.h"
@@ -50,6 +51,8 @@ ViewerHtml Viewer(const LevelsPageSubject& subject, std::size_t bytesOfPicture)
       : ", largest distance " + MeasuredText(level.MaxDistance) + " mm";
     viewer.Levels.push_back({ level.Surface, subject.DistanceArrayName, caption });
   }
+  viewer.Farthest = FindFarthestPoints(
+    { subject.Before, "" }, { subject.Levels.back().Surface, subject.DistanceArrayName });
   viewer.Legend = "distance to the original, mm";
   viewer.Reduce = subject.Reduce;
   viewer.Frame = subject.Frame;

@@ -127,9 +127,10 @@ public:
     return "In this view positions are rounded by up to " +
       bound(0.5 * this->Grid.Step * std::sqrt(3.0)) +
       (this->Distances.Range > 0.0
-          ? " and distances down by up to " + bound(this->Distances.Range / (Colors - 1))
-          : std::string()) +
-      "; the files have them whole.";
+          ? " and distances down by up to " + bound(this->Distances.Range / (Colors - 1)) +
+            "; the files have them whole. Between points, colors are interpolated: inside a large "
+            "triangle the distance may be smaller or larger."
+          : "; the files have them whole.");
   }
 
 private:

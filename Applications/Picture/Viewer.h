@@ -37,7 +37,7 @@ struct ViewerSubject
   /// At least one, from coarse to fine. Labels are those of the last.
   std::vector<ViewerSurface> Levels;
   double Threshold = 0.0;         ///< mm; smaller distances have no color at first.
-  std::vector<FarPoint> Farthest; ///< To jump to; may be empty.
+  std::vector<FarPoint> Farthest; ///< To jump to, while the last level is shown; may be empty.
   std::string Frame;              ///< "LPS" or "RAS"; empty: the axes are x, y and z.
   std::string Legend = "distance to the other surface, mm"; ///< Title of the color scale.
   std::size_t MostBytes = 20000000; ///< Largest size of what the view adds to the page.

@@ -121,6 +121,7 @@ class Page(unittest.TestCase):
         pages = [
             ("balls.ply", "small.vtp", "--target-triangles", 1500, "--page", "balls.html"),
             ("levels", "ball.ply", "--coarsest", 400, "--no-errors", "--page", "levels.html"),
+            ("levels", "ball.ply", "--coarsest", 2000, "--page", "measured.html"),
             ("labels.mha", "bones", "--segments", "all", "--target-reduction", 0.8, "--measure", "off"),
             ("labels.mha", "near", "--segments", "all", "--max-error", 0.4),
         ]
@@ -334,6 +335,25 @@ class Page(unittest.TestCase):
         self.assertGreater(len(counts), 4)
         self.assertLessEqual(counts[0], 400)
         self.assertTrue(all(1.0 < fine / coarse < 1.6 for coarse, fine in zip(counts, counts[1:])), counts)
+
+    def test_farthest_points_of_levels_are_those_of_the_finest(self):
+        self.open("levels.html")
+        self.assertFalse(self.browser.is_shown("#viewer-farthest-group"))  # nothing was measured
+        self.open("measured.html")
+        text = (self.folder / "measured.html").read_text(encoding="utf-8")
+        self.assertIn("Between points, colors are interpolated", text)
+        farthest = float(self.browser.text("#viewer-farthest li:first-child button").split()[0])
+        largest = float(re.search(r"largest distance ([\d.]+) mm", self.browser.text("#viewer-after"))[1])
+        self.assertTrue(0.0 < farthest <= largest, (farthest, largest))
+        self.browser.click("#viewer-farthest li:first-child button")
+        chosen = "return document.querySelectorAll('circle.chosen').length"
+        self.assertEqual(self.browser.run(chosen), 2)
+        finest = self.browser.run("return document.getElementById('viewer-level').max")
+        for level, is_shown in (("1", False), (finest, True)):
+            self.browser.set("#viewer-level", level)
+            self.browser.run("return new Promise((done) => setTimeout(done, 100))")
+            self.assertEqual(self.browser.is_shown("#viewer-farthest-group"), is_shown)
+            self.assertEqual(self.browser.run(chosen), 2 if is_shown else 0)
 
     def test_prints_the_picture(self):
         self.open("balls.html")

@@ -56,6 +56,11 @@ export class Viewer {
     return this.view.mode !== other && (index === 0 || index === this.level);
   }
 
+  /** Whether the level is shown to which the farthest points belong. */
+  isLast() {
+    return this.level === this.scene.surfaces.length - 1;
+  }
+
   /** Brings surfaces, captions and planes to the settings. */
   update() {
     this.planes.move();
@@ -89,7 +94,7 @@ export class Viewer {
     const projections = sides.map((side) => (point) => this.view.project(point, this.view.renderers[side]));
     this.measure.draw(projections);
     projections.forEach((project) => {
-      if (this.chosen) {
+      if (this.chosen && this.isLast()) {
         const [cx, cy] = project(this.chosen.position);
         shape(this.overlay, 'circle', { cx, cy, r: 14, class: 'chosen' });
         shape(this.overlay, 'text', { x: cx + 19, y: cy - 12 }, `${this.chosen.distance} mm`);
@@ -188,6 +193,7 @@ export class Viewer {
       const level = Number(element.value);
       await this.load(level);
       this.level = level;
+      show('viewer-farthest-group', this.scene.farthest.length > 0 && this.isLast());
       this.update();
     });
     slider.max = String(this.level);
