@@ -40,15 +40,14 @@ std::string IntensityProblem(const ValueSurvey& survey, double hounsfield, Label
   {
     return std::to_string(survey.GetNumberOfNotFinite()) + " of its voxels are not finite numbers";
   }
-  const std::string range = RangeProblem(survey, hounsfield);
-  if (range.empty() && policy == LabelPolicy::Reject && survey.GetKind() == ValueKind::Labels)
+  if (policy == LabelPolicy::Reject && survey.GetKind() == ValueKind::Labels)
   {
     return "it is a label map with the labels " + ListText(survey.GetLabels()) +
       ", whose numbers are names and no intensities: one surface at a value would fuse the parts "
       "and shift their surfaces; give --segments all for a surface of each label, or --intensities "
       "on if these are measured values";
   }
-  return range;
+  return RangeProblem(survey, hounsfield);
 }
 
 std::string MaskNote(const ValueSurvey& survey)

@@ -261,6 +261,7 @@ TEST(SlabSurfaces, AreRejectedWithTheSentenceOfTheWhole)
     scan.Values[i] = static_cast<short>(i / part); // all labels are not in one slab
   }
   expectSame(0.5, "it is a label map with the labels 1, 2, 3");
+  expectSame(226.0, "it is a label map with the labels 1, 2, 3"); // and not: none is above
   WriteMeta(path, scan);
   EXPECT_EQ(BoneSlabs(path, 0.5, LabelPolicy::AsIntensities).GetProblem(), "");
   std::replace_if(
