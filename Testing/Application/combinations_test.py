@@ -68,7 +68,7 @@ def shortened(sentence):
     """Without what differs between features that are rejected alike."""
     text = sentence[len("bonedecimate: "):]
     text = re.sub(r"unknown option --.*", "unknown option ...", text)
-    return re.sub(r"; see bonedecimate.*--help", "", text)
+    return re.sub(r"; see bonedecimate[a-z ]* -h", "", text)
 
 
 def success(run, completed):

@@ -28,7 +28,7 @@ class Commands(ApplicationTest):
             text = self.succeed(command, "--help").stdout
             self.assertIn(f"Usage: bonedecimate {command} ", text)
             self.assertIn("Exit codes:", text)
-            self.fail_with(USAGE, command, "--what", says=f"see bonedecimate {command} --help")
+            self.fail_with(USAGE, command, "--what", says=f"see bonedecimate {command} -h")
 
     def test_short_help_fits_one_screen_and_names_every_option(self):
         short = self.succeed("-h").stdout
@@ -54,6 +54,7 @@ class Commands(ApplicationTest):
                     self.assertIn(f"\n{title}:\n" + entries.split("\n\n")[0], whole)
         self.assertIn("a quarter more triangles", self.succeed("help", "modes").stdout)
         self.assertIn("\n  2  the input was rejected", self.succeed("help", "exit-codes").stdout)
+        self.assertIn("ends with 8 if none\nfailed", self.succeed("help", "batches").stdout)
         for command in COMMANDS:
             self.assertEqual(self.succeed("help", command).stdout, self.succeed(command, "--help").stdout)
         self.assertRegex(self.succeed("help", "max-error").stdout, r"^  --max-error MM\|")
@@ -124,7 +125,8 @@ class Commands(ApplicationTest):
             ((*files, "--max-error-mm", 0.5), "unknown option --max-error-mm; did you mean --max-error?"),
             ((*files, "--target", 0.5), "did you mean --target-triangles or --target-reduction?"),
             (("levels", "in.ply", "--eror", 0.5), "unknown option --eror; did you mean --errors?"),
-            ((*files, "--zzz"), "unknown option --zzz; see bonedecimate --help"),
+            ((), "an OUTPUT are needed; see bonedecimate -h, or try bonedecimate demo"),
+            ((*files, "--zzz"), "unknown option --zzz; see bonedecimate -h"),
         ):
             with self.subTest(words):
                 self.fail_with(USAGE, *words, says=says)

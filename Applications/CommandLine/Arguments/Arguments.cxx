@@ -311,7 +311,8 @@ void TakeFiles(Arguments& arguments)
 {
   if (arguments.Inputs.size() < 2)
   {
-    throw Failure(ExitCode::Usage, "an INPUT and an OUTPUT are needed; see bonedecimate --help");
+    throw Failure(ExitCode::Usage,
+      "an INPUT and an OUTPUT are needed; see bonedecimate -h, or try bonedecimate demo");
   }
   arguments.Output = arguments.Inputs.back();
   arguments.Inputs.pop_back();

@@ -56,8 +56,7 @@ std::vector<std::string> OptionNames(const CLI::App& command)
   }
   throw Failure(ExitCode::Usage,
     "unknown option " + name +
-      (meant.empty() ? "; see " + CommandPath(command) + " --help"
-                     : "; did you mean " + meant + "?"));
+      (meant.empty() ? "; see " + CommandPath(command) + " -h" : "; did you mean " + meant + "?"));
 }
 
 /// CLI11 takes any word for the value of an option, another option, too.
@@ -67,8 +66,7 @@ void RequireValue(
   if (option.get_items_expected_min() > 0 && !hasValue)
   {
     throw Failure(ExitCode::Usage,
-      word + " takes a value: " + option.get_type_name() + "; see " + CommandPath(command) +
-        " --help");
+      word + " takes a value: " + option.get_type_name() + "; see " + CommandPath(command) + " -h");
   }
 }
 }

@@ -191,9 +191,9 @@ std::string BatchText()
          "is\n"
          "skipped if its report names the same version, options, input size and time of change,\n"
          "and its output has the size it was written with. The program ends with the highest\n"
-         "code of them; a bone whose process died counts as 5, a volume in a folder without --iso "
-         "and\n"
-         "--segments as 2, a file of another kind that was not named itself as 0.";
+         "code of those that failed; a bone whose process died counts as 5. It ends with 8 if "
+         "none\n"
+         "failed and volumes of a folder were left out for want of --iso and --segments.";
 }
 
 std::string HelpFooter()

@@ -110,7 +110,7 @@ void RunCommandLine(CLI::App& program, std::vector<std::string> words)
     {
       const CLI::App& command = *program.get_subcommand(words.front());
       throw Failure(ExitCode::Usage,
-        WithOrigin(Sentence(error), settled.Added) + "; see " + CommandPath(command) + " --help");
+        WithOrigin(Sentence(error), settled.Added) + "; see " + CommandPath(command) + " -h");
     }
     program.exit(error, std::cout, std::cerr);
   }
