@@ -35,7 +35,7 @@ constexpr int MostReductions = 4;
 constexpr double Wide = 1e6; // an aspect at which only the height counts
 constexpr int Colors = 256;
 constexpr int ColorDigits = 255;
-constexpr int FirstThreshold = 204; // four fifths of the legend: few points have color at first
+constexpr double FirstThreshold = 0.8; // of the largest distance: few points have color at first
 
 /// A surface of the page, ready to be written.
 struct Carried
@@ -159,7 +159,11 @@ private:
     {
       const std::vector<double> sorted =
         SortedDistances(TrianglesOnly(surface->Surface), surface->DistanceArrayName);
-      distances.Range = std::max(distances.Range, sorted.empty() ? 0.0 : ColorRange(sorted));
+      if (!sorted.empty())
+      {
+        distances.Range = std::max(distances.Range, ColorRange(sorted));
+        distances.Largest = std::max(distances.Largest, sorted.back());
+      }
     }
     return distances;
   }
@@ -254,7 +258,9 @@ private:
       colors.push_back({ std::lround(ColorDigits * color[0]), std::lround(ColorDigits * color[1]),
         std::lround(ColorDigits * color[2]) });
     }
-    return { { "range", this->Distances.Range }, { "threshold", FirstThreshold },
+    const double largest = std::min(this->Distances.Largest, this->Distances.Range);
+    const double threshold = (Colors - 1) * FirstThreshold * largest / this->Distances.Range;
+    return { { "range", this->Distances.Range }, { "threshold", static_cast<int>(threshold) },
       { "colors", colors } };
   }
 

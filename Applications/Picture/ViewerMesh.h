@@ -32,7 +32,8 @@ struct QuantizationGrid
 struct QuantizedDistances
 {
   std::string ArrayName; ///< Point array of distances, mm; empty: the surface has none.
-  double Range = 1.0;    ///< mm
+  double Range = 1.0;    ///< Where the colors end, mm.
+  double Largest = 0.0;  ///< Of all surfaces, mm.
 };
 
 struct EncodedPiece

@@ -218,6 +218,17 @@ class Page(unittest.TestCase):
         self.assertFalse(self.browser.is_shown("#viewer-legend"))
         self.assertEqual(self.colored(), 0)
 
+    def test_colors_the_last_fifth_of_the_distances_and_shows_their_legend_at_once(self):
+        scene = Scene(self.folder / "near/index.html").scene["distances"]
+        report = json.loads((self.folder / "near/report.json").read_text(encoding="utf-8"))
+        farthest = max(report["distance"][way]["point_max"] for way in ("input_to_output", "output_to_input"))
+        farthest = min(farthest, scene["range"])
+        self.assertTrue(0 <= 0.8 * farthest - scene["threshold"] / 255 * scene["range"] <= scene["range"] / 255)
+        below = "return document.getElementById('viewer-legend').getBoundingClientRect().bottom - window.innerHeight"
+        with Browser(*chromium.SOFTWARE, "--window-size=1280,800") as browser:
+            browser.open(self.folder / "near/index.html")
+            self.assertLess(browser.run(below), 0)
+
     def test_says_the_distance_under_the_mouse(self):
         self.open("balls.html")
         self.assertFalse(self.browser.is_shown("#viewer-value"))
