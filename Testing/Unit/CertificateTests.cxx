@@ -278,33 +278,6 @@ TEST(Certificate, ReportsSurfacesThatCannotBeCompared)
   EXPECT_EQ(Certify(good, good, options).Status, CertificateStatus::BadTolerance);
 }
 
-TEST(Certificate, EndsOnAbort)
-{
-  const Surface reference = BumpySphere(4, 10.0, 0.05, 3);
-  const Surface result = Icosphere(3, 10.0);
-  CertificateOptions options;
-  options.NumberOfThreads = 1; // so that the number of calls is known
-  int calls = 0;
-  double last = 0.0;
-  const Certificate whole = Certify(reference, result, options,
-    [&](double done)
-    {
-      EXPECT_GE(done, last);
-      EXPECT_LE(done, 1.0);
-      last = done;
-      ++calls;
-      return true;
-    });
-  EXPECT_EQ(whole.Status, CertificateStatus::Good);
-  for (int stopAt = 0; stopAt < calls; stopAt += 1 + calls / 23)
-  {
-    int at = 0;
-    const Certificate found =
-      Certify(reference, result, options, [&](double) { return at++ < stopAt; });
-    EXPECT_EQ(found.Status, CertificateStatus::Aborted);
-  }
-}
-
 /// In single precision the points of a flat grid lie on lines that are not quite straight: 15
 /// million cuts to the last digit.
 TEST(Certificate, OfAFlatPartInOtherTrianglesEndsSoonWithALeastGap)

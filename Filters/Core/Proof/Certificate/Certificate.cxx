@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -88,18 +89,21 @@ public:
       this->ReferenceSides = this->SidesOf(this->Reference);
     }
     this->ResultSides = this->SidesOf(this->Result);
+    if (this->Options.WithBoundaries)
+    {
+      this->FindBoundaries(frame);
+    }
     if (this->Options.WithSurfaces)
     {
       this->CertifySurfaces(frame);
     }
-    if (this->Options.WithBoundaries && this->Progress.ShouldContinue())
+    else if (this->Options.WithBoundaries)
     {
-      this->CertifyBoundaries(frame);
+      this->CertifyBoundaries(frame, 1.0);
     }
     this->Progress.Finish();
     if (!this->Progress.ShouldContinue())
     {
-      this->Output = Certificate();
       this->Output.Status = CertificateStatus::Aborted;
     }
     return this->Output;
@@ -116,39 +120,66 @@ private:
     return { this->Options, this->Output.Slack, areSurfaces };
   }
 
+  /// Bounds of the surfaces, then of boundaries, then what tells nothing about a tolerance.
   void CertifySurfaces(const Frame& frame)
   {
-    const double weight = this->Options.WithBoundaries ? 0.9 : 1.0;
-    const PairCertificate pair =
-      CertifyPair(WholeSurface(this->Reference, this->ReferenceSides, frame),
-        WholeSurface(this->Result, this->ResultSides, frame), this->Limits, this->Task(true),
-        this->Progress, weight);
-    this->Output.ReferenceToResult = pair.ReferenceToResult;
-    this->Output.ResultToReference = pair.ResultToReference;
+    const double ofBoundaries = this->Options.WithBoundaries ? 0.1 : 0.0;
+    const double ofStatistics = this->Options.WithMeans ? 0.3 : 0.02;
+    const Simplices reference = WholeSurface(this->Reference, this->ReferenceSides, frame);
+    const Simplices result = WholeSurface(this->Result, this->ResultSides, frame);
+    const PairTask task = this->Task(true);
+    PairSearch search(reference, result, this->Limits, task, this->Options.OnBounds);
+    search.FindBounds(this->Progress, 1.0 - ofBoundaries - ofStatistics);
+    if (this->Options.WithBoundaries)
+    {
+      this->CertifyBoundaries(frame, ofBoundaries);
+    }
+    search.AddStatistics(this->Progress, ofStatistics);
+    PairCertificate pair = search.Found(!this->Progress.ShouldContinue());
+    this->Output.ReferenceToResult = std::move(pair.ReferenceToResult);
+    this->Output.ResultToReference = std::move(pair.ResultToReference);
     this->Restore(frame, this->Output.ReferenceToResult, this->Output.ResultToReference);
-    this->Output.Proof = Worse(pair.ReferenceToResult.Proof, pair.ResultToReference.Proof);
+    this->TakeProof(this->Output.ReferenceToResult, this->Output.ResultToReference);
   }
 
-  void CertifyBoundaries(const Frame& frame)
+  void FindBoundaries(const Frame& frame)
   {
-    const BoundarySet reference =
+    this->ReferenceBoundary =
       FindBoundarySet(this->Reference, this->ReferenceSides, frame, this->Limits);
-    const BoundarySet result = FindBoundarySet(this->Result, this->ResultSides, frame, {});
-    const bool ofReference = reference.Segments.Size() > 0;
-    const bool ofResult = result.Segments.Size() > 0;
+    this->ResultBoundary = FindBoundarySet(this->Result, this->ResultSides, frame, {});
+    const bool ofReference = this->ReferenceBoundary.Segments.Size() > 0;
+    const bool ofResult = this->ResultBoundary.Segments.Size() > 0;
     this->Output.Boundaries = ofReference
       ? (ofResult ? BoundaryPresence::Both : BoundaryPresence::ReferenceOnly)
       : (ofResult ? BoundaryPresence::ResultOnly : BoundaryPresence::Neither);
-    const PairCertificate pair = ofReference && ofResult
-      ? CertifyPair(reference.Segments, result.Segments, reference.Limit, this->Task(false),
-          this->Progress, this->Options.WithSurfaces ? 0.1 : 1.0)
-      : WithoutPartner(reference, result, this->Task(false));
-    this->Output.BoundaryOfReferenceToResult = pair.ReferenceToResult;
-    this->Output.BoundaryOfResultToReference = pair.ResultToReference;
+  }
+
+  void CertifyBoundaries(const Frame& frame, double weight)
+  {
+    const PairTask task = this->Task(false);
+    PairCertificate pair;
+    if (this->Output.Boundaries == BoundaryPresence::Both)
+    {
+      PairSearch search(this->ReferenceBoundary.Segments, this->ResultBoundary.Segments,
+        this->ReferenceBoundary.Limit, task, {});
+      search.FindBounds(this->Progress, weight);
+      pair = search.Found(!this->Progress.ShouldContinue());
+    }
+    else
+    {
+      pair = WithoutPartner(this->ReferenceBoundary, this->ResultBoundary, task);
+    }
+    this->Output.BoundaryOfReferenceToResult = std::move(pair.ReferenceToResult);
+    this->Output.BoundaryOfResultToReference = std::move(pair.ResultToReference);
     this->Restore(
       frame, this->Output.BoundaryOfReferenceToResult, this->Output.BoundaryOfResultToReference);
-    this->Output.Proof =
-      Worse(this->Output.Proof, Worse(pair.ReferenceToResult.Proof, pair.ResultToReference.Proof));
+    this->TakeProof(
+      this->Output.BoundaryOfReferenceToResult, this->Output.BoundaryOfResultToReference);
+  }
+
+  void TakeProof(const DirectedCertificate& a, const DirectedCertificate& b)
+  {
+    this->Output.Proof = Worse(this->Output.Proof, Worse(a.Proof, b.Proof));
   }
 
   /// Converts positions from the local frame to input coordinates.
@@ -169,6 +200,7 @@ private:
   const std::vector<double> Limits; // mm, at each point of the reference; empty without a map
   Stages Progress;
   EdgeSides ReferenceSides, ResultSides;
+  BoundarySet ReferenceBoundary, ResultBoundary;
   Certificate Output;
 };
 }

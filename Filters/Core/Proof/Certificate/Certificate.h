@@ -8,6 +8,10 @@
  *     reference, result    exact local frame, nothing merged, nothing dropped
  *     boundaries           edges of one triangle, after merging points of equal coordinates
  *     bounds               of both directions, for surfaces and boundaries: Search.h
+ *     statistics           means and distances of points
+ *
+ * The first bounds are known at once and get tighter. After an abort those proved until then are
+ * returned.
  *
  * Every bound is widened by its largest rounding error (Foot.h), so it holds for the surfaces as
  * they are stored. Documentation/explanation/certificate.md gives the proof step by step.
@@ -19,6 +23,7 @@
 #include "Geometry/Surface.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -37,7 +42,7 @@ enum class CertificateStatus : int
   /// The number of entries of the map is not that of the points of the reference, or a tolerance is
   /// infinite or negative.
   BadTolerance,
-  Aborted ///< By the monitor.
+  Aborted ///< By the monitor: the bounds are those proved so far, and other figures are missing.
 };
 
 enum class ProofStatus : int
@@ -103,6 +108,9 @@ enum class BoundaryPresence : int
   Both
 };
 
+/// Called with proved bounds of the two-sided distance of the surfaces, mm.
+using BoundsListener = std::function<void(double lower, double upper)>;
+
 struct CertificateOptions
 {
   /// mm; not negative. Holds for every point, in both directions.
@@ -134,6 +142,9 @@ struct CertificateOptions
   double ReferenceTriangleGap = 0.0;
   double ResultTriangleGap = 0.0;
   int NumberOfThreads = 0; ///< 0: one per processor; the result does not depend on it
+  /// Called on the calling thread, before the monitor, with bounds that hold at that moment and are
+  /// tighter than those of the call before; may be empty. The result does not depend on it.
+  BoundsListener OnBounds;
 };
 
 struct Certificate

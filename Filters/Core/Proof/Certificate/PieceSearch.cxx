@@ -66,7 +66,7 @@ double PieceSearch::Explore(Index simplex, std::int64_t maxCuts)
   this->Bound(this->OpenPieces[0], Infinity);
   double left = -Infinity;
   const std::int64_t end = this->CutsMade + maxCuts;
-  while (!this->OpenPieces.empty() && this->CutsMade < end)
+  while (!this->OpenPieces.empty() && this->CutsMade < end && !this->ShouldStop())
   {
     Piece piece = this->OpenPieces.back();
     this->OpenPieces.pop_back();

@@ -12,8 +12,10 @@
 #include "Search.h"
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace bonedecimate::certificate
 {
@@ -22,6 +24,20 @@ class PieceSearch
 public:
   PieceSearch(const Simplices& source, const Target& target, const PointValues& values,
     const SearchGoal& goal, const MaxExcess& max);
+
+  /// Ends searches early once this returns true. Called after every 1,024 cuts.
+  void SetInterruption(std::function<bool()> isInterrupted)
+  {
+    this->IsInterrupted = std::move(isInterrupted);
+  }
+
+  /// mm, an upper bound of the excess of a simplex, without a cut.
+  double UpperWithoutCuts(Index simplex) const
+  {
+    Piece whole = this->Whole(simplex);
+    this->Bound(whole, std::numeric_limits<double>::infinity());
+    return whole.Upper;
+  }
 
   /// Closes pieces of a simplex with at most maxCuts cuts.
   /// @return mm, an upper bound of the excess of the open pieces; minus infinity if all are closed.
@@ -46,6 +62,11 @@ private:
     double Upper = -std::numeric_limits<double>::infinity(); // mm, the largest of them
   };
 
+  bool ShouldStop() const
+  {
+    constexpr std::int64_t period = 1024;
+    return this->CutsMade % period == period - 1 && this->IsInterrupted && this->IsInterrupted();
+  }
   Piece Whole(Index simplex) const;
   bool CloseAsSame(const Piece& whole);
   void Bound(Piece& piece, double parentUpper) const;
@@ -70,6 +91,7 @@ private:
   MaxExcess MaxFound;
   double MaxClosed = -std::numeric_limits<double>::infinity(); // mm
   std::int64_t CutsMade = 0;
+  std::function<bool()> IsInterrupted; // may be empty
   std::vector<Piece> OpenPieces;
   JointCover CandidateCover;
   std::shared_ptr<OverlayCover> Overlay; // null: covers are not used

@@ -7,7 +7,9 @@
 #include "PieceSearch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
+#include <thread>
 
 namespace bonedecimate::certificate
 {
@@ -51,7 +53,8 @@ public:
     std::iota(this->OpenSimplices.begin(), this->OpenSimplices.end(), 0);
   }
 
-  DistanceBounds Run(const KnownBounds& known, const Monitor& monitor)
+  DistanceBounds Run(
+    const KnownBounds& known, const Monitor& monitor, const SearchListener& listener)
   {
     this->TakeCorners();
     this->TakeKnown(known);
@@ -60,11 +63,20 @@ public:
     double to = ProgressOfFirstRound;
     for (std::int64_t cuts = FirstCuts; shouldContinue && this->MayCut(); cuts *= MoreCuts)
     {
-      shouldContinue = this->Round(cuts, PartOf(monitor, from, to));
+      shouldContinue = this->Round(cuts, PartOf(monitor, from, to), listener);
       from = to;
       to += 0.5 * (1.0 - to);
     }
-    return shouldContinue ? this->Bounds() : DistanceBounds();
+    return this->Bounds();
+  }
+
+  /// The bounds of all simplices without a cut.
+  DistanceBounds RunWithoutCuts()
+  {
+    this->TakeCorners();
+    const std::vector<double> parts = this->UpperOfParts();
+    this->MaxOpen = parts.empty() ? -Infinity : *std::max_element(parts.begin(), parts.end());
+    return this->Bounds();
   }
 
 private:
@@ -75,6 +87,10 @@ private:
     double MaxOpen = -Infinity;
     std::int64_t Cuts = 0;
     std::vector<Index> OpenSimplices;
+    std::vector<double> OpenUppers;
+    std::atomic<bool> IsDone{ false };
+
+    double Upper() const { return std::max(this->MaxClosed, this->MaxOpen); }
   };
 
   void TakeCorners()
@@ -116,45 +132,124 @@ private:
 
   bool MayCut() const { return !this->OpenSimplices.empty() && this->Cuts < this->Goal.MaxCuts; }
 
-  bool Round(std::int64_t maxCuts, const Monitor& monitor)
+  /// mm, an upper bound of an open simplex before its search in this round.
+  double UpperBefore(const PieceSearch& search, std::size_t open) const
+  {
+    return this->OpenUppers.empty() ? search.UpperWithoutCuts(this->OpenSimplices[open])
+                                    : this->OpenUppers[open];
+  }
+
+  double UpperBefore(std::size_t first, std::size_t last) const
+  {
+    const PieceSearch search(this->Source, this->TargetSet, this->Values, this->Goal, this->Max);
+    double upper = -Infinity;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      upper = std::max(upper, this->UpperBefore(search, i));
+    }
+    return upper;
+  }
+
+  /// UpperBefore() of each part.
+  std::vector<double> UpperOfParts() const
+  {
+    std::vector<double> uppers(NumberOfChunks(this->OpenSimplices.size()));
+    ForEachChunk(this->OpenSimplices.size(), this->Goal.NumberOfThreads, Monitor(),
+      [&](std::size_t chunk, std::size_t first, std::size_t last)
+      { uppers[chunk] = this->UpperBefore(first, last); });
+    return uppers;
+  }
+
+  bool Round(std::int64_t maxCuts, const Monitor& monitor, const SearchListener& listener)
   {
     const std::int64_t evenCuts = std::max<std::int64_t>(
       1, (this->Goal.MaxCuts - this->Cuts) / static_cast<std::int64_t>(this->OpenSimplices.size()));
     const std::int64_t cuts = std::min(maxCuts, evenCuts);
     std::vector<Part> parts(NumberOfChunks(this->OpenSimplices.size()));
-    const bool shouldContinue =
-      ForEachChunk(this->OpenSimplices.size(), this->Goal.NumberOfThreads, monitor,
-        [&](std::size_t chunk, std::size_t first, std::size_t last)
-        { this->SearchPart(first, last, cuts, parts[chunk]); });
-    this->OpenSimplices.clear();
-    this->MaxOpen = -Infinity;
-    for (const Part& part : parts)
+    const std::vector<double> before = listener ? this->UpperOfParts() : std::vector<double>();
+    const Monitor tell = [&](double done)
     {
-      this->Max.Join(part.Max);
-      this->MaxClosed = std::max(this->MaxClosed, part.MaxClosed);
-      this->MaxOpen = std::max(this->MaxOpen, part.MaxOpen);
-      this->Cuts += part.Cuts;
-      this->OpenSimplices.insert(
-        this->OpenSimplices.end(), part.OpenSimplices.begin(), part.OpenSimplices.end());
-    }
+      if (listener)
+      {
+        this->Tell(parts, before, listener);
+      }
+      return monitor(done);
+    };
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<bool> isStopped{ false };
+    const auto isInterrupted = [&]
+    {
+      isStopped = isStopped || (std::this_thread::get_id() == caller && !monitor(0.0));
+      return isStopped.load();
+    };
+    const bool shouldContinue =
+      ForEachChunk(this->OpenSimplices.size(), this->Goal.NumberOfThreads, tell,
+        [&](std::size_t chunk, std::size_t first, std::size_t last)
+        { this->SearchPart(first, last, cuts, isInterrupted, parts[chunk]); });
+    this->Join(parts);
     return shouldContinue;
   }
 
-  void SearchPart(std::size_t first, std::size_t last, std::int64_t cuts, Part& part) const
+  void Tell(const std::vector<Part>& parts, const std::vector<double>& before,
+    const SearchListener& listener) const
+  {
+    double upper = this->MaxClosed;
+    MaxExcess max = this->Max;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      const bool isDone = parts[i].IsDone.load(std::memory_order_acquire);
+      upper = std::max(upper, isDone ? parts[i].Upper() : before[i]);
+      if (isDone)
+      {
+        max.Join(parts[i].Max);
+      }
+    }
+    listener(upper, max);
+  }
+
+  /// Takes the parts of a round, of which some are not done after an abort.
+  void Join(const std::vector<Part>& parts)
+  {
+    std::vector<Index> open;
+    std::vector<double> uppers;
+    this->MaxOpen = -Infinity;
+    const std::size_t size = ChunkSize(this->OpenSimplices.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      const Part& part = parts[i];
+      const double upperOfOpen = part.IsDone
+        ? part.MaxOpen
+        : this->UpperBefore(i * size, std::min(this->OpenSimplices.size(), (i + 1) * size));
+      this->MaxOpen = std::max(this->MaxOpen, upperOfOpen);
+      this->Max.Join(part.Max);
+      this->MaxClosed = std::max(this->MaxClosed, part.MaxClosed);
+      this->Cuts += part.Cuts;
+      open.insert(open.end(), part.OpenSimplices.begin(), part.OpenSimplices.end());
+      uppers.insert(uppers.end(), part.OpenUppers.begin(), part.OpenUppers.end());
+    }
+    this->OpenSimplices = std::move(open);
+    this->OpenUppers = std::move(uppers);
+  }
+
+  void SearchPart(std::size_t first, std::size_t last, std::int64_t cuts,
+    const std::function<bool()>& isInterrupted, Part& part) const
   {
     PieceSearch search(this->Source, this->TargetSet, this->Values, this->Goal, this->Max);
+    search.SetInterruption(isInterrupted);
     for (std::size_t i = first; i < last; ++i)
     {
       const double left = search.Explore(this->OpenSimplices[i], cuts);
       if (left > -Infinity)
       {
         part.OpenSimplices.push_back(this->OpenSimplices[i]);
+        part.OpenUppers.push_back(left);
         part.MaxOpen = std::max(part.MaxOpen, left);
       }
     }
     part.Max = search.Max();
     part.MaxClosed = search.MaxClosedUpper();
     part.Cuts = search.Cuts();
+    part.IsDone.store(true, std::memory_order_release);
   }
 
   DistanceBounds Bounds() const
@@ -183,6 +278,7 @@ private:
   const PointValues& Values;
   const SearchGoal& Goal;
   std::vector<Index> OpenSimplices; // simplices with pieces that are not closed
+  std::vector<double> OpenUppers;   // mm, of their open pieces; empty before the first round
   MaxExcess Max;
   double MaxClosed = -Infinity; // mm, the largest upper bound of closed pieces
   double MaxOpen = -Infinity;   // mm, the same of open pieces
@@ -241,8 +337,15 @@ PointValues FindPointValues(const Simplices& source, const Target& target, bool 
 //------------------------------------------------------------------------------
 DistanceBounds FindMaxExcess(const Simplices& source, const Target& target,
   const PointValues& values, const SearchGoal& goal, const KnownBounds& known,
-  const Monitor& monitor)
+  const Monitor& monitor, const SearchListener& listener)
 {
-  return Rounds(source, target, values, goal).Run(known, monitor);
+  return Rounds(source, target, values, goal).Run(known, monitor, listener);
+}
+
+//------------------------------------------------------------------------------
+DistanceBounds FindBoundsWithoutCuts(
+  const Simplices& source, const Target& target, const PointValues& values, const SearchGoal& goal)
+{
+  return Rounds(source, target, values, goal).RunWithoutCuts();
 }
 }

@@ -16,6 +16,10 @@
  *         upper <= goal: closed;   else cut an edge, find the simplex nearest to the new corner
  *     lower bound again, by the distance to every simplex of the other set
  *
+ * Simplices form parts. At any moment the upper bound is the largest one of a part: after its
+ * search that of its pieces, before it the bound of its whole simplices, or what the round before
+ * left. So the bounds of a stopped search hold, too.
+ *
  * Excess: distance minus tolerance, which may be 0. Goal: the largest excess found so far plus the
  * gap, or CloseBelow, below which the excess need not be known more precisely.
  *
@@ -39,6 +43,7 @@
 #include "Target.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -89,6 +94,10 @@ struct KnownBounds
   MaxExcess Max;
 };
 
+/// Called on the calling thread with an upper bound (mm) that holds at that moment, and the largest
+/// excess found so far.
+using SearchListener = std::function<void(double upper, const MaxExcess& max)>;
+
 /// @param allPoints Evaluate all usable points, not only corners.
 /// @param sufficient mm; values up to this need not be the least. Negative: all are the least.
 PointValues FindPointValues(const Simplices& source, const Target& target, bool allPoints,
@@ -96,10 +105,15 @@ PointValues FindPointValues(const Simplices& source, const Target& target, bool 
 
 /// Bounds of the largest excess of the source over the target.
 /// @param known Simplices whose upper bound is small enough are not searched.
-/// @param monitor Not empty. After an abort the upper bound is infinite.
+/// @param monitor Not empty. After an abort the bounds are those proved so far.
+/// @param listener May be empty.
 DistanceBounds FindMaxExcess(const Simplices& source, const Target& target,
   const PointValues& values, const SearchGoal& goal, const KnownBounds& known,
-  const Monitor& monitor);
+  const Monitor& monitor, const SearchListener& listener = {});
+
+/// The same without a cut: of whole simplices.
+DistanceBounds FindBoundsWithoutCuts(
+  const Simplices& source, const Target& target, const PointValues& values, const SearchGoal& goal);
 }
 
 #endif

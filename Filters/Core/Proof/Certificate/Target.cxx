@@ -47,7 +47,8 @@ Target::Target(const Simplices& simplices, int threads, const std::function<void
 void Target::SetTolerances(std::vector<double> tolerances)
 {
   this->Tolerances = std::move(tolerances);
-  this->MaxTolerance = *std::max_element(this->Tolerances.begin(), this->Tolerances.end());
+  const auto largest = std::max_element(this->Tolerances.begin(), this->Tolerances.end());
+  this->MaxTolerance = largest == this->Tolerances.end() ? 0.0 : *largest;
 }
 
 //------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ public:
   /// Keeps a reference to the simplices, which must not be empty.
   Target(const Simplices& simplices, int threads, const std::function<void()>& afterStep);
 
-  /// Sets the tolerance of each simplex, mm.
+  /// Sets the tolerance of each simplex, mm; empty: 0.
   void SetTolerances(std::vector<double> tolerances);
 
   /// Lends a cover to one worker. Null if the simplices are no surface or have tolerances: a cover
