@@ -10,10 +10,13 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersionMacros.h"
 
+#include <chrono>
+
 namespace bonedecimate
 {
 /**
- * A progress event of the filter at every percent. Every call, of which there are many more, looks
+ * A progress event of the filter at every percent, and four times a second, so that an
+ * observer can abort between two percents. Every call, of which there are many more, looks
  * whether the run is to be aborted.
  *
  *     FilterProgress progress(*this, "Comparing voxels");
@@ -40,13 +43,22 @@ public:
     while (shouldContinue && this->Percent < percent)
     {
       ++this->Percent;
-      this->Filter.UpdateProgress(this->Percent / 100.0);
-      shouldContinue = this->ShouldContinue();
+      shouldContinue = this->Tell();
     }
-    return shouldContinue;
+    constexpr std::chrono::milliseconds longest(250);
+    return shouldContinue && Clock::now() - this->Told > longest ? this->Tell() : shouldContinue;
   }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
+  bool Tell()
+  {
+    this->Filter.UpdateProgress(this->Percent / 100.0);
+    this->Told = Clock::now();
+    return this->ShouldContinue();
+  }
+
   bool ShouldContinue()
   {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
@@ -58,6 +70,7 @@ private:
 
   vtkAlgorithm& Filter;
   int Percent = 0;
+  Clock::time_point Told = Clock::now();
 };
 }
 

@@ -7,6 +7,7 @@
 #include "Pieces.h"
 #include "RejectedValues.h"
 #include "Run/Input/Tolerances.h"
+#include "Run/Output/ComparedSurface.h"
 #include "Run/Output/ListLeftOut.h"
 #include "Run/Report/CertificateTable.h"
 #include "Run/Report/ReportJson.h"
@@ -22,9 +23,15 @@
 #include "vtkSignedCharArray.h"
 
 #include <functional>
+#include <limits>
 #include <utility>
 
 vtkStandardNewMacro(vtkBoneSurfaceDistance);
+
+namespace
+{
+constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
+}
 
 //------------------------------------------------------------------------------
 struct vtkBoneSurfaceDistance::Internals
@@ -35,6 +42,15 @@ struct vtkBoneSurfaceDistance::Internals
   bonedecimate::CertificateOptions Options;
   bonedecimate::Certificate Result;
   bonedecimate::NamedEntries Entries{ {} };
+  double LowerBound = NotKnown; // mm
+  double UpperBound = NotKnown; // mm
+
+  void Take(std::vector<bonedecimate::ReportEntry> entries)
+  {
+    this->Entries = bonedecimate::NamedEntries(std::move(entries));
+    this->LowerBound = this->Entries.Value("lower");
+    this->UpperBound = this->Entries.Value("upper");
+  }
 };
 
 namespace
@@ -135,12 +151,17 @@ std::string vtkBoneSurfaceDistance::GetStatusAsString() const
 
 double vtkBoneSurfaceDistance::GetLowerBound() const
 {
-  return this->GetReportValue("lower");
+  return this->Internal->LowerBound;
 }
 
 double vtkBoneSurfaceDistance::GetUpperBound() const
 {
-  return this->GetReportValue("upper");
+  return this->Internal->UpperBound;
+}
+
+bool vtkBoneSurfaceDistance::GetWasStopped() const
+{
+  return this->Internal->Result.Status == bonedecimate::CertificateStatus::Aborted;
 }
 
 std::string vtkBoneSurfaceDistance::GetReportAsJson() const
@@ -178,7 +199,7 @@ int vtkBoneSurfaceDistance::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Internal->Result = {};
-  this->Internal->Entries = bonedecimate::NamedEntries({});
+  this->Internal->Take({});
   if (bonedecimate::RequestedPiece(inputVector[0]).Pieces > 1)
   {
     vtkErrorMacro(<< "vtkBoneSurfaceDistance is for one process alone: what is nearest to a point "
@@ -252,17 +273,32 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   options.MeanPrecision = this->MeanPrecision;
   options.WithPointDistances = true;
   options.NumberOfThreads = this->NumberOfThreads;
+  options.OnBounds = [this](double lower, double upper)
+  {
+    this->Internal->LowerBound = lower;
+    this->Internal->UpperBound = upper;
+  };
   bonedecimate::Certificate& certificate = this->Internal->Result;
   bonedecimate::FilterProgress progress(*this, "Proving the distance");
-  certificate = bonedecimate::Certify(one.Surface, two.Surface, options, std::ref(progress));
+  const bonedecimate::Monitor monitor = std::ref(progress);
+  const double certified = this->MeasureSurfaces ? 0.8 : 1.0;
+  certificate = bonedecimate::Certify(
+    one.Surface, two.Surface, options, bonedecimate::PartOf(monitor, 0.0, certified));
   NameCells(one, two, certificate.ReferenceToResult);
   NameCells(two, one, certificate.ResultToReference);
   NameCells(one, two, certificate.BoundaryOfReferenceToResult);
   NameCells(two, one, certificate.BoundaryOfResultToReference);
-  const std::vector<bonedecimate::LeftOut> leftOut = bonedecimate::LeftOutOfPair(
+  bonedecimate::PairFigures figures;
+  figures.LeftOut = bonedecimate::LeftOutOfPair(
     one.LeftOut, one.Surface, two.LeftOut, two.Surface, this->NumberOfThreads);
-  this->Internal->Entries =
-    bonedecimate::NamedEntries(bonedecimate::CertificateEntries(certificate, leftOut));
+  if (this->MeasureSurfaces && certificate.Status == bonedecimate::CertificateStatus::Good)
+  {
+    figures.Reference = bonedecimate::DescribeCompared(
+      one.Surface, this->NumberOfThreads, bonedecimate::PartOf(monitor, certified, 0.9));
+    figures.Result = bonedecimate::DescribeCompared(
+      two.Surface, this->NumberOfThreads, bonedecimate::PartOf(monitor, 0.9, 1.0));
+  }
+  this->Internal->Take(bonedecimate::CertificateEntries(certificate, figures));
   return this->Accept(static_cast<int>(certificate.Status));
 }
 
@@ -322,6 +358,7 @@ void vtkBoneSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RelativeGap: " << this->RelativeGap << "\n";
   os << indent << "MeasureBoundaries: " << this->MeasureBoundaries << "\n";
   os << indent << "MeasureMeans: " << this->MeasureMeans << "\n";
+  os << indent << "MeasureSurfaces: " << this->MeasureSurfaces << "\n";
   os << indent << "MeanPrecision: " << this->MeanPrecision << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "SignedDistanceArrayName: " << this->Internal->SignedDistanceArrayName << "\n";

@@ -18,6 +18,9 @@
  * bonedecimate.certificate.status, .lower, .upper, .boundaries, .reference_to_result.{upper, mean}
  * and .result_to_reference.{upper, mean}.
  *
+ * An aborted run leaves the bounds and the status that are proved so far, and its report says
+ * "stopped".
+ *
  * A value outside its range is an error event when it is set: the property keeps its value, and
  * updates fail until it gets a valid one.
  *
@@ -111,6 +114,17 @@ public:
 
   ///@{
   /**
+   * Also count triangles, components, boundary edges and intersecting pairs of triangles of each
+   * surface, and measure area and volume: the entries "reference." and "result." of the report. Off
+   * by default.
+   */
+  vtkSetMacro(MeasureSurfaces, bool);
+  vtkGetMacro(MeasureSurfaces, bool);
+  vtkBooleanMacro(MeasureSurfaces, bool);
+  ///@}
+
+  ///@{
+  /**
    * Two standard errors of the average and of the root mean square as a ratio to them, 1e-4 to 1;
    * default 0.005.
    */
@@ -160,12 +174,18 @@ public:
 
   ///@{
   /**
-   * Proved bounds of the two-sided Hausdorff distance of the surfaces, mm. NaN before the first
-   * run.
+   * Proved bounds of the two-sided Hausdorff distance of the surfaces, mm; in progress events those
+   * proved so far. NaN before the first run.
    */
   double GetLowerBound() const;
   double GetUpperBound() const;
   ///@}
+
+  /**
+   * Whether the last run was aborted. Its bounds and status are those proved until then; averages
+   * and the arrays may be missing.
+   */
+  bool GetWasStopped() const;
 
   /**
    * The whole report as JSON, objects within objects, as Documentation/certificate.schema.json
@@ -221,6 +241,7 @@ private:
   double RelativeGap = 1e-6;
   bool MeasureBoundaries = true;
   bool MeasureMeans = true;
+  bool MeasureSurfaces = false;
   double MeanPrecision = 5e-3;
   int NumberOfThreads = 0;
   std::unique_ptr<Internals> Internal;

@@ -22,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -51,6 +52,7 @@ public:
   int Warnings = 0;
   double AbortAt = 2.0;
   std::vector<double> Progress;
+  std::vector<std::array<double, 2>> Bounds; // mm, in events
 
 private:
   void OnEvent(vtkObject* caller, unsigned long event, void*)
@@ -60,6 +62,7 @@ private:
     if (event == vtkCommand::ProgressEvent)
     {
       this->Progress.push_back(this->Filter->GetProgress());
+      this->Bounds.push_back({ this->Filter->GetLowerBound(), this->Filter->GetUpperBound() });
       this->Filter->SetAbortExecute(this->Progress.back() >= this->AbortAt ? 1 : 0);
     }
   }
@@ -177,15 +180,56 @@ TEST(SurfaceDistanceFilter, TellsItsProgressToTheEnd)
   EXPECT_EQ(run.Progress.back(), 1.0);
 }
 
-TEST(SurfaceDistanceFilter, AbortedHasNoArraysAndNoStatus)
+TEST(SurfaceDistanceFilter, AbortedHasTheBoundsProvedUntilThen)
+{
+  DistanceRun whole(Bumps(5), Sphere(4));
+  whole->Update();
+  EXPECT_FALSE(whole->GetWasStopped());
+  EXPECT_EQ(whole->GetReportText("stopped"), "");
+  for (const double abortAt : { 0.01, 0.3, 0.5, 0.9 })
+  {
+    DistanceRun run(Bumps(5), Sphere(4));
+    run.AbortAt = abortAt;
+    run->SetTolerance(50.0);
+    run->Update();
+    EXPECT_TRUE(run->GetWasStopped());
+    EXPECT_EQ(run.Errors, 0);
+    EXPECT_EQ(run->GetReportText("problem"), "");
+    EXPECT_EQ(run->GetReportText("stopped"), "stopped: bounds proved so far");
+    EXPECT_LE(run->GetLowerBound(), whole->GetUpperBound());
+    EXPECT_GE(run->GetUpperBound(), whole->GetLowerBound());
+    EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::PROVED);
+    EXPECT_TRUE(Values(run->GetOutput(), "SignedDistance").empty());
+  }
+}
+
+TEST(SurfaceDistanceFilter, KnowsBoundsInProgressEvents)
 {
   DistanceRun run(Bumps(5), Sphere(4));
-  run.AbortAt = 0.3;
-  run->SetTolerance(5.0);
   run->Update();
-  EXPECT_EQ(run->GetReportText("problem"), "aborted");
-  EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::NOT_ASKED);
-  EXPECT_TRUE(Values(run->GetOutput(), "SignedDistance").empty());
+  ASSERT_FALSE(run.Bounds.empty());
+  for (std::size_t i = 0; i < run.Bounds.size(); ++i)
+  {
+    EXPECT_LE(run.Bounds[i][0], run->GetUpperBound());
+    EXPECT_GE(run.Bounds[i][1], run->GetLowerBound());
+    EXPECT_TRUE(i == 0 || run.Bounds[i][0] >= run.Bounds[i - 1][0]);
+    EXPECT_TRUE(i == 0 || run.Bounds[i][1] <= run.Bounds[i - 1][1]);
+  }
+}
+
+TEST(SurfaceDistanceFilter, DescribesBothSurfacesOnRequest)
+{
+  DistanceRun run(PolyData(Icosphere(2, 5.0)), PolyData(Envelope()));
+  run->Update();
+  EXPECT_TRUE(std::isnan(run->GetReportValue("reference.triangles")));
+  run->MeasureSurfacesOn();
+  run->Update();
+  EXPECT_EQ(run->GetReportValue("reference.triangles"), 320.0);
+  EXPECT_EQ(run->GetReportValue("reference.components"), 1.0);
+  EXPECT_EQ(run->GetReportValue("reference.intersecting_pairs"), 0.0);
+  EXPECT_EQ(run->GetReportEntryUnit("reference.volume"), "mm3");
+  EXPECT_GT(run->GetReportValue("result.area"), 0.0);
+  EXPECT_TRUE(std::is_sorted(run.Progress.begin(), run.Progress.end()));
 }
 
 TEST(SurfaceDistanceFilter, RejectsWhatIsNoSurface)
@@ -230,8 +274,8 @@ TEST(SurfaceDistanceFilter, PrintsEveryProperty)
   std::ostringstream text;
   filter->Print(text);
   for (const char* name : { "Tolerance: ", "ToleranceArrayName: ", "TightBounds: ", "RelativeGap: ",
-         "MeasureBoundaries: ", "MeasureMeans: ", "MeanPrecision: ", "NumberOfThreads: ",
-         "SignedDistanceArrayName: ", "SideArrayName: ", "Status: " })
+         "MeasureBoundaries: ", "MeasureMeans: ", "MeasureSurfaces: ", "MeanPrecision: ",
+         "NumberOfThreads: ", "SignedDistanceArrayName: ", "SideArrayName: ", "Status: " })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

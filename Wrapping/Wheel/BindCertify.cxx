@@ -17,10 +17,10 @@ namespace bonedecimate
 {
 namespace
 {
-nb::dict ToDict(Certificate&& certificate, const std::vector<LeftOut>& leftOut)
+nb::dict ToDict(Certificate&& certificate, const PairFigures& pair)
 {
   nb::dict fields;
-  const std::vector<ReportEntry> entries = CertificateEntries(certificate, leftOut);
+  const std::vector<ReportEntry> entries = CertificateEntries(certificate, pair);
   fields["entries"] = ToList(entries);
   fields["json"] = ReportJson(entries);
   fields["status"] = certificate.Status;
@@ -44,8 +44,9 @@ nb::dict RunCertificate(const PointsIn& referencePoints, const TrianglesIn& refe
     Listener(std::move(progress))
       .Hear([&](const Monitor& monitor) { return Certify(reference, result, options, monitor); });
   return ToDict(std::move(certificate),
-    LeftOutOfPair(ToLeftOut(leftOutOfReference), reference, ToLeftOut(leftOutOfResult), result,
-      options.NumberOfThreads));
+    { LeftOutOfPair(ToLeftOut(leftOutOfReference), reference, ToLeftOut(leftOutOfResult), result,
+        options.NumberOfThreads),
+      {}, {} });
 }
 }
 

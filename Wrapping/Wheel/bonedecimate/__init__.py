@@ -13,10 +13,11 @@ there; PyVista finds `mesh.bone` by itself. For type checkers, which take that f
 from typing import TYPE_CHECKING
 
 from ._core import PreparedSurface, StopReason, __version__
-from .arrays import Aborted, Certificate, Result, certify, decimate, smooth
+from .arrays import Certificate, Result, certify, decimate, smooth
 from .label_maps import LabelSurfaces, extract_label, extract_surfaces
 from .label_pieces import PieceChanges, change_pieces
 from .levels import Levels, open_levels, record_levels
+from .progress import Aborted
 from .report import Report
 from .segments import Segment, Segments, segments
 from .voxel_check import LabelChanges, VoxelChanges, check_voxels

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from .options import number, read, spell_sentences, switch, takes_options, thread_count
-from .progress import Aborted, Progress, listener
+from .progress import Progress, listener
 from .results import Certificate, Result
 from .surfaces import Surface, edge_lengths_from, input_from, labels_from, surface_from, tolerances_from, warn
 from .voxel_check import Comparison, with_label_map
@@ -201,8 +201,8 @@ def certify(
         Something that is no surface, values of a wrong type.
     ValueError
         Shapes, values out of range, surfaces without triangles, points that are not finite, indices out of range.
-    Aborted
-        The progress function returned False.
+
+    If the progress function returns False, the certificate has the bounds proved until then, and its ``stopped`` is True.
     """
     first, second = surface_from(reference, "reference"), surface_from(result, "result", label_map is not None)
     warn(first.warnings + second.warnings, 2)
@@ -228,9 +228,7 @@ def _set_precision(options: _core.CertificateOptions, tight_bounds: bool, has_to
 
 
 def _raise_comparison_problems(outcome: dict) -> None:
-    if outcome["status"] == _core.CertificateStatus.Aborted:
-        raise Aborted("the comparison was stopped")
-    if outcome["status"] != _core.CertificateStatus.Good:
+    if outcome["status"] not in (_core.CertificateStatus.Good, _core.CertificateStatus.Aborted):
         raise ValueError(outcome["problem"])
 
 

@@ -130,6 +130,7 @@ class Certificate:
     status: str  #: "not_requested", "proved", "violated" or "undecided"
     lower: float  #: no less far apart than that
     upper: float  #: no farther apart than that
+    stopped: bool  #: the progress function returned False: bounds and status are those proved until then, the rest may be missing
     reference_distance: NDArray[np.float64]  #: of each point of the reference, negative inside of the other surface
     result_distance: NDArray[np.float64]  #: of each point of the other surface, negative inside of the reference
     reference_side: NDArray[np.int8]  #: 1 outside, -1 inside, 0 on it or undecided
@@ -146,6 +147,7 @@ class Certificate:
         self.units = self.report.units
         self.report_as_json = _core.report_json(entries)
         self.status, self.lower, self.upper = (self.report[name] for name in ("status", "lower", "upper"))
+        self.stopped = "stopped" in self.report
         for which in ("reference", "result"):
             side = outcome[which + "_side"]
             distance = outcome[which + "_distance"]
@@ -153,7 +155,7 @@ class Certificate:
             setattr(self, which + "_distance", np.where(side < 0, -distance, distance))
 
     def __repr__(self) -> str:
-        return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {self.status}>"
+        return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {self.status}{', stopped' * self.stopped}>"
 
 
 def _named(entries: list[tuple[str, str, int | float | str]]) -> Report:

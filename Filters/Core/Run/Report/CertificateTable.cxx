@@ -48,6 +48,16 @@ void AddDirection(Entries& entries, const std::string& path, const DirectedCerti
     AddMean(entries, path, directed.Mean);
   }
 }
+
+void AddCompared(
+  Entries& entries, const std::string& side, const std::optional<ComparedFigures>& figures)
+{
+  if (figures)
+  {
+    AddCounts(entries, side, figures->Surface);
+    entries.push_back({ side + ".intersecting_pairs", "", figures->IntersectingPairs });
+  }
+}
 }
 
 const char* BoundaryPresenceWord(BoundaryPresence presence)
@@ -56,25 +66,36 @@ const char* BoundaryPresenceWord(BoundaryPresence presence)
   return WordOf(words, presence);
 }
 
-std::vector<ReportEntry> CertificateEntries(
-  const Certificate& certificate, const std::vector<LeftOut>& leftOut)
+const char* const StoppedSentence = "stopped: bounds proved so far";
+
+std::vector<ReportEntry> CertificateEntries(const Certificate& certificate, const PairFigures& pair)
 {
+  const bool wasStopped = certificate.Status == CertificateStatus::Aborted;
+  const bool isGood = certificate.Status == CertificateStatus::Good || wasStopped;
   Entries entries;
   entries.push_back({ "version", "", std::string(Version()) });
-  entries.push_back({ "problem", "", std::string(StatusSentence(certificate.Status)) });
+  entries.push_back(
+    { "problem", "", std::string(isGood ? "" : StatusSentence(certificate.Status)) });
   entries.push_back({ "status", "", std::string(ProofStatusWord(certificate.Proof)) });
-  if (certificate.Status != CertificateStatus::Good)
+  if (!isGood)
   {
     return entries;
   }
+  if (wasStopped)
+  {
+    entries.push_back({ "stopped", "", std::string(StoppedSentence) });
+  }
   entries.push_back({ "lower", "mm", certificate.Lower() });
   entries.push_back({ "upper", "mm", certificate.Upper() });
-  entries.push_back({ "sentence", "", ProofSentence({ certificate.Upper(), false, {}, leftOut }) });
+  entries.push_back(
+    { "sentence", "", ProofSentence({ certificate.Upper(), false, {}, pair.LeftOut }) });
   entries.push_back({ "slack", "mm", certificate.Slack });
   entries.push_back(
     { "boundaries", "", std::string(BoundaryPresenceWord(certificate.Boundaries)) });
   entries.push_back({ "seconds", "s", certificate.Seconds });
-  AddLeftOut(entries, "left_out", leftOut);
+  AddCompared(entries, "reference", pair.Reference);
+  AddCompared(entries, "result", pair.Result);
+  AddLeftOut(entries, "left_out", pair.LeftOut);
   AddDirection(entries, "reference_to_result", certificate.ReferenceToResult);
   AddDirection(entries, "result_to_reference", certificate.ResultToReference);
   if (certificate.Boundaries != BoundaryPresence::Neither)

@@ -7,17 +7,29 @@
 #ifndef BoneDecimate_Core_Run_Report_CertificateTable_h
 #define BoneDecimate_Core_Run_Report_CertificateTable_h
 
+#include "Figures/ComparedFigures.h"
 #include "Figures/LeftOut.h"
 #include "Proof/Certificate/Certificate.h"
 #include "ReportTable.h"
 
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
 {
+/// What is known besides the certificate.
+struct PairFigures
+{
+  std::vector<bonedecimate::LeftOut> LeftOut; ///< Of both surfaces.
+  std::optional<ComparedFigures> Reference;
+  std::optional<ComparedFigures> Result;
+};
+
 /**
- * All entries, always in the same order: version, problem, status, lower, upper, sentence, slack,
- * boundaries, seconds; left_out, as in a report, of both surfaces; then for each of
+ * All entries, always in the same order: version, problem, status, stopped (only after an abort),
+ * lower, upper, sentence, slack, boundaries, seconds; reference and result, if they were measured:
+ * .triangles, .points, .components, .boundary_edges, .non_manifold_edges, .euler_number, .area,
+ * .volume, .intersecting_pairs; left_out, as in a report, of both surfaces; then for each of
  * reference_to_result, result_to_reference and, if a surface has boundaries,
  * boundary_reference_to_result and boundary_result_to_reference: .status, .lower, .upper, .x, .y,
  * .z, .triangle, .nearest_triangle, .cuts; with a map .excess.{lower, upper, x, y, z, triangle,
@@ -25,7 +37,10 @@ namespace bonedecimate
  * certificate with a problem has only the first three.
  */
 std::vector<ReportEntry> CertificateEntries(
-  const Certificate& certificate, const std::vector<LeftOut>& leftOut = {});
+  const Certificate& certificate, const PairFigures& pair = {});
+
+/// The entry "stopped" of a certificate that was aborted.
+extern const char* const StoppedSentence;
 
 /// One word: "both".
 const char* BoundaryPresenceWord(BoundaryPresence presence);

@@ -18,4 +18,16 @@ void AddLeftOut(Entries& entries, const std::string& path, const std::vector<Lef
     entries.push_back({ name + ".sentence", "", entry.Sentence() });
   }
 }
+
+void AddCounts(Entries& entries, const std::string& path, const SurfaceStatistics& surface)
+{
+  entries.push_back({ path + ".triangles", "", surface.Faces });
+  entries.push_back({ path + ".points", "", surface.Points });
+  entries.push_back({ path + ".components", "", surface.Components });
+  entries.push_back({ path + ".boundary_edges", "", surface.BoundaryEdges });
+  entries.push_back({ path + ".non_manifold_edges", "", surface.NonManifoldEdges });
+  entries.push_back({ path + ".euler_number", "", surface.EulerNumber });
+  entries.push_back({ path + ".area", "mm2", surface.Area });
+  entries.push_back({ path + ".volume", "mm3", surface.Volume });
+}
 }

@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Run_Report_ReportEntries_h
 
 #include "Figures/LeftOut.h"
+#include "Figures/SurfaceFigures.h"
 #include "ReportTable.h"
 
 #include <cmath>
@@ -30,6 +31,9 @@ inline void AddIfKnown(
 
 /// Numbered below the path.
 void AddLeftOut(Entries& entries, const std::string& path, const std::vector<LeftOut>& leftOut);
+
+/// Counts, area and volume of a surface.
+void AddCounts(Entries& entries, const std::string& path, const SurfaceStatistics& surface);
 
 /// mm
 inline void AddPosition(Entries& entries, const std::string& path, const Vector3& position)

@@ -22,14 +22,7 @@ namespace
 {
 void AddSurface(Entries& entries, const std::string& side, const SurfaceStatistics& surface)
 {
-  entries.push_back({ side + ".triangles", "", surface.Faces });
-  entries.push_back({ side + ".points", "", surface.Points });
-  entries.push_back({ side + ".components", "", surface.Components });
-  entries.push_back({ side + ".boundary_edges", "", surface.BoundaryEdges });
-  entries.push_back({ side + ".non_manifold_edges", "", surface.NonManifoldEdges });
-  entries.push_back({ side + ".euler_number", "", surface.EulerNumber });
-  entries.push_back({ side + ".area", "mm2", surface.Area });
-  entries.push_back({ side + ".volume", "mm3", surface.Volume });
+  AddCounts(entries, side, surface);
   AddShape(entries, side + ".shape", surface.Shape);
 }
 
