@@ -12,7 +12,8 @@ const std::vector<std::pair<ExitCode, std::string>>& ExitCodeMeanings()
     { ExitCode::InputRejected, "the input was rejected, nothing was written" },
     { ExitCode::CouldNotWrite,
       "a file could not be written, or the picture of --picture could not be drawn" },
-    { ExitCode::Interrupted, "interrupted, nothing was written" },
+    { ExitCode::Interrupted,
+      "interrupted, nothing was written; certify: the bounds proved until then were written" },
     { ExitCode::OutOfMemory, "out of memory, nothing was written" },
     { ExitCode::Violated,
       "certify: the tolerance is not kept, or a voxel has another label; 0 means that it is proved "

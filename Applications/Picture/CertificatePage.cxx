@@ -9,6 +9,7 @@
 #include "PageTemplate.h"
 #include "PlainText.h"
 #include "ReportFields.h"
+#include "SurfaceTable.h"
 #include "VoxelSection.h"
 
 #include <array>
@@ -59,14 +60,41 @@ std::string LeftOutList(const ReportFields& report)
                        : "<p>Not compared, because it is no surface:</p><ul>" + items + "</ul>";
 }
 
+/// A mean and its error; empty if it was not measured.
+std::string MeanText(const ReportFields& report, const std::string& name)
+{
+  const std::optional<double> mean = report.Number(name);
+  const std::optional<double> error = report.Number(name + "_error");
+  return mean && error ? GroupedText(*mean, Decimals) + " &plusmn; " + GroupedText(*error, Decimals)
+                       : std::string();
+}
+
+/// Where the largest distance was found; empty if its bounds are those of an empty set.
+std::string LargestText(const ReportFields& report, const std::string& path)
+{
+  const std::optional<double> triangle = report.Number(path + "triangle");
+  if (!triangle || *triangle < 0.0)
+  {
+    return {};
+  }
+  std::string text;
+  for (const char* axis : { "x", "y", "z" })
+  {
+    const std::optional<double> value = report.Number(path + axis);
+    text += (text.empty() ? "" : ", ") + (value ? GroupedText(*value, 2) : "");
+  }
+  return text + " (triangle " + GroupedText(*triangle) + ")";
+}
+
 std::string DistanceSection(const ReportFields& report)
 {
   if (!report.Number("upper"))
   {
     return {};
   }
-  std::vector<std::vector<std::string>> rows = { { "", "largest distance, mm", "mean, mm" },
-    { "both directions", BoundsText(report, ""), "" } };
+  std::vector<std::vector<std::string>> rows = { { "", "largest distance, mm", "at, mm", "mean, mm",
+                                                   "RMS, mm" },
+    { "both directions", BoundsText(report, ""), "", "", "" } };
   const std::array<std::pair<const char*, const char*>, 4> directions = { {
     { "reference_to_result.", "reference to result" },
     { "result_to_reference.", "result to reference" },
@@ -77,13 +105,30 @@ std::string DistanceSection(const ReportFields& report)
   {
     if (report.Number(path + std::string("upper")))
     {
-      const std::optional<double> mean = report.Number(path + std::string("mean"));
-      rows.push_back({ words, BoundsText(report, path), mean ? GroupedText(*mean, Decimals) : "" });
+      rows.push_back({ words, BoundsText(report, path), LargestText(report, path),
+        MeanText(report, path + std::string("mean")),
+        MeanText(report, path + std::string("rms")) });
     }
   }
   return PageBlock("certified distances",
     { { "table", Table(rows) }, { "status", StatusText(report) },
       { "left out", LeftOutList(report) } });
+}
+
+/// Empty if the certificate is whole.
+std::string StoppedNotice(const ReportFields& report)
+{
+  const std::string stopped = EscapedXml(report.Text("stopped"));
+  return stopped.empty() ? stopped : PageBlock("stopped", { { "sentence", stopped } });
+}
+
+std::string SurfaceSection(const ReportFields& report)
+{
+  return report.Number("reference.triangles") || report.Number("result.triangles")
+    ? PageBlock("compared surfaces",
+        { { "table",
+          SurfaceTable(report, { "reference.", "result." }, { "reference", "result" }) } })
+    : std::string();
 }
 
 std::string Warnings(const ReportFields& report)
@@ -97,7 +142,8 @@ std::string Warnings(const ReportFields& report)
 }
 }
 
-std::string ComposeCertificatePage(const std::string& certificate)
+std::string ComposeCertificatePage(
+  const std::string& certificate, const PairSubject& pair, const std::string& pictureFile)
 {
   const ReportFields report(certificate);
   const std::string name = EscapedXml(PlainText(report.Text("files.result")));
@@ -105,11 +151,18 @@ std::string ComposeCertificatePage(const std::string& certificate)
   const std::string reference = EscapedXml(PlainText(report.Text("files.reference"))) +
     (iso ? " at " + GroupedText(*iso) + " HU" : "");
   const std::string map = EscapedXml(PlainText(report.Text("files.label_map")));
+  const std::string picture = pictureFile.empty() ? std::string() : EmbeddedPicture(pictureFile);
+  const std::vector<FarPoint> points = FarthestOfPair(pair);
+  const ViewerHtml viewer = PairViewer(pair, points, picture.size());
   return PageBlock("certificate",
     { { "head", PageBlock("head", { { "title", "Certificate of a bone surface: " + name } }) },
       { "name", name }, { "reference", reference.empty() ? "none" : reference },
       { "label map", map.empty() ? "none" : map },
-      { "version", EscapedXml(report.Text("version")) }, { "distances", DistanceSection(report) },
-      { "voxels", VoxelSection(report) }, { "warnings", Warnings(report) } });
+      { "version", EscapedXml(report.Text("version")) }, { "stopped", StoppedNotice(report) },
+      { "distances", DistanceSection(report) }, { "viewer", viewer.Section },
+      { "picture", picture },
+      { "where", WhereSection(points, pair.Frame, { "reference", "result" }) },
+      { "surfaces", SurfaceSection(report) }, { "voxels", VoxelSection(report) },
+      { "warnings", Warnings(report) }, { "viewer script", viewer.Script } });
 }
 }

@@ -13,6 +13,7 @@
 #include "ProofSection.h"
 #include "ReportFields.h"
 #include "SurfaceDistances.h"
+#include "SurfaceTable.h"
 #include "TunnelSection.h"
 #include "VoxelSection.h"
 
@@ -44,67 +45,6 @@ bool HasDistances(const ReportFields& report)
 {
   return report.Number("distance.output_to_input.max") &&
     report.Number("distance.input_to_output.max");
-}
-
-bool HasTriangles(vtkPolyData* surface)
-{
-  return surface && TrianglesOnly(surface)->GetNumberOfPolys() > 0;
-}
-
-/// Empty without both surfaces.
-ViewerHtml Viewer(
-  const PageSubject& subject, const std::vector<FarPoint>& points, std::size_t bytesOfPicture)
-{
-  if (!HasViewer() || !HasTriangles(subject.Before) || !HasTriangles(subject.Result))
-  {
-    return {};
-  }
-  ViewerSubject viewer;
-  viewer.Before = { subject.Before, subject.DistanceArrayName, "" };
-  viewer.Levels = { { subject.Result, subject.ResultDistanceArrayName, "" } };
-  viewer.Reduce = subject.Reduce;
-  viewer.Frame = subject.Frame;
-  viewer.Farthest = points;
-  viewer.MostBytes = BytesOfViewer(bytesOfPicture);
-  return ComposeViewer(viewer);
-}
-
-std::vector<FarPoint> Farthest(const PageSubject& subject)
-{
-  return subject.Before && subject.Result
-    ? FindFarthestPoints({ subject.Before, subject.DistanceArrayName },
-        { subject.Result, subject.ResultDistanceArrayName })
-    : std::vector<FarPoint>();
-}
-
-/// Empty without points.
-std::string Where(const std::vector<FarPoint>& points, const std::string& frame)
-{
-  const bool hasLabels = std::any_of(
-    points.begin(), points.end(), [](const FarPoint& one) { return !one.Labels.empty(); });
-  Rows rows = { { "", "distance, mm", "position, mm", "point of the surface" } };
-  if (hasLabels)
-  {
-    rows[0].push_back("label");
-  }
-  for (const FarPoint& one : points)
-  {
-    rows.push_back({ std::to_string(rows.size()), EscapedXml(MeasuredText(one.Distance)),
-      AnatomicalText(one.Position, frame), one.IsOnOriginal ? "before" : "after" });
-    if (hasLabels)
-    {
-      std::string labels;
-      for (const std::string& label : one.Labels)
-      {
-        labels += (labels.empty() ? "" : ", ") + EscapedXml(label);
-      }
-      rows.back().push_back(labels);
-    }
-  }
-  return points.empty() ? std::string()
-                        : PageBlock("where",
-                            { { "table", Table(rows) },
-                              { "frame", PageBlock(frame.empty() ? "axes" : "patient axes") } });
 }
 
 std::string Curve(const std::vector<double>& sorted)
@@ -155,57 +95,6 @@ std::string Distances(const ReportFields& report)
       { "output density", density("output_to_input") }, { "proof", ProofClause(report) },
       { "input samples", CountText(report.Number("distance.input_to_output.samples")) },
       { "input density", density("input_to_output") } });
-}
-
-/// "12, 340, 2,020": how many triangles have an angle below 10, 20 and 30 degrees.
-std::string SmallAngles(const ReportFields& report, const std::string& side)
-{
-  std::string counts;
-  double below = 0.0;
-  for (const char* bin : { "0", "1", "2" })
-  {
-    const Value count = report.Number(side + "shape.smallest_angles." + bin);
-    if (!count)
-    {
-      return Unknown;
-    }
-    below += *count;
-    counts += (counts.empty() ? "" : "; ") + GroupedText(below);
-  }
-  return counts;
-}
-
-std::string SurfaceTable(const ReportFields& report)
-{
-  Rows rows = { { "", "before", "after" } };
-  struct Line
-  {
-    const char* Title;
-    const char* Name;
-    int Decimals;
-  };
-  const Line lines[] = { { "Triangles", "triangles", 0 }, { "Points", "points", 0 },
-    { "Components (separate pieces)", "components", 0 }, { "Boundary edges", "boundary_edges", 0 },
-    { "Edges of three or more triangles", "non_manifold_edges", 0 },
-    { "Euler number", "euler_number", 0 }, { "Area, mm&sup2;", "area", 1 },
-    { "Volume, mm&sup3;", "volume", 1 },
-    { "Smallest angle of the triangles, degrees", "shape.smallest_angle", 1 },
-    { "Largest angle, degrees", "shape.largest_angle", 1 },
-    { "Mean radius ratio (1 is equilateral)", "shape.mean_radius_ratio", 2 },
-    { "Mean aspect ratio (1 is equilateral)", "shape.mean_aspect_ratio", 2 } };
-  for (const Line& line : lines)
-  {
-    std::vector<std::string> row = { line.Title };
-    for (const char* side : { "input.", "output." })
-    {
-      const Value value = report.Number(side + std::string(line.Name));
-      row.push_back(value ? GroupedText(*value, line.Decimals) : Unknown);
-    }
-    rows.push_back(row);
-  }
-  rows.push_back({ "Triangles with an angle below 10; 20; 30 degrees",
-    SmallAngles(report, "input."), SmallAngles(report, "output.") });
-  return Table(rows);
 }
 
 /// "a triangle 5, 7, ..."; empty where a kind has no ids.
@@ -375,23 +264,25 @@ std::string ComposePage(const PageSubject& subject)
 {
   const ReportFields report(subject.Result);
   const std::string picture = EmbeddedPicture(subject.PictureFile);
-  const std::vector<FarPoint> points = Farthest(subject);
+  const std::vector<FarPoint> points = FarthestOfPair(subject);
   const std::vector<double> distances = DistancesOfOriginal(subject);
-  const ViewerHtml viewer = Viewer(subject, points, picture.size());
+  const ViewerHtml viewer = PairViewer(subject, points, picture.size());
   const PageLabels labels = PageLabelsOf(subject.Before, subject.Result);
   const std::string name = EscapedXml(PlainText(subject.Name));
   const auto count = [&report](const char* entry) { return CountText(report.Number(entry)); };
   return PageBlock("page",
     { { "head", PageBlock("head", { { "title", "Simplified bone surface: " + name } }) },
       { "name", name }, { "headline", HeadlineSection(report, distances, labels, subject.Specks) },
-      { "specks", SpeckHint(subject.Specks) }, { "where", Where(points, subject.Frame) },
+      { "specks", SpeckHint(subject.Specks) },
+      { "where", WhereSection(points, subject.Frame, { "before", "after" }) },
       { "labels", LabelSection(labels) }, { "smoothing", Smoothing(report) },
       { "parts", PartSection(report) },
       { "voxels", VoxelSection(report) + ChangesSection(subject.Changes) },
       { "model grid", ModelGridSection(subject) }, { "proof", ProofSection(report) },
       { "picture", picture }, { "viewer", viewer.Section }, { "viewer script", viewer.Script },
       { "distances", Distances(report) }, { "curve", Curve(distances) },
-      { "surface table", SurfaceTable(report) }, { "merged points", count("input.merged_points") },
+      { "surface table", SurfaceTable(report, { "input.", "output." }, { "before", "after" }) },
+      { "merged points", count("input.merged_points") },
       { "dropped triangles", count("input.dropped_triangles") },
       { "triangles read", count("input.triangles_read") }, { "pruned", Pruned(report) },
       { "tunnels", TunnelSection(report) }, { "diagnostics", Diagnostics(report) },

@@ -7,8 +7,8 @@
 #ifndef BoneDecimate_Applications_Page_h
 #define BoneDecimate_Applications_Page_h
 
+#include "PairView.h"
 #include "SurfaceExtents.h"
-#include "Viewer.h"
 
 #include "vtkPolyData.h"
 
@@ -17,20 +17,14 @@
 
 namespace bonedecimate
 {
-struct PageSubject
+/// Result is output port 0 of vtkBoneDecimate, with arrays and report in its field data, Before the
+/// input of the run without what was pruned.
+struct PageSubject : PairSubject
 {
   std::string Name; ///< What the page calls the bone (a file name, never patient data).
-  /// Output port 0 of vtkBoneDecimate: arrays and report in its field data.
-  vtkPolyData* Result = nullptr;
-  /// The input of the run without what was pruned, with the distance of each point; may be null.
-  vtkSmartPointer<vtkPolyData> Before;
-  std::string DistanceArrayName;       ///< On Before, mm.
-  std::string ResultDistanceArrayName; ///< On Result, mm.
   /// What changed in the voxels before extraction; empty: nothing was requested.
   std::vector<std::string> Changes;
   std::string PictureFile; ///< A PNG to embed; empty: no picture, and the page says so.
-  SurfaceReducer Reduce;   ///< For the interactive view of surfaces that are too large for a page.
-  std::string Frame;       ///< Axes of the coordinates, "LPS" or "RAS"; empty: not known.
   SpeckFigures Specks;     ///< FindSpecks() of Before.
   std::string ModelGrid;   ///< A sentence on the grid that labels were extracted on; may be empty.
 };

@@ -7,7 +7,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -40,15 +39,6 @@ std::string TextOf(const Json& value)
   const bool isWhole = text.size() > 2 && text.compare(text.size() - 2, 2, ".0") == 0;
   return value.is_number_float() && isWhole ? text.substr(0, text.size() - 2) : text;
 }
-}
-
-std::string CertificateJsonOf(vtkPolyData* compared)
-{
-  auto* const array = compared != nullptr
-    ? vtkStringArray::SafeDownCast(
-        compared->GetFieldData()->GetAbstractArray("BoneDecimateCertificate"))
-    : nullptr;
-  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : "{}";
 }
 
 ReportFields::ReportFields(vtkPolyData* result)

@@ -15,9 +15,6 @@
 
 namespace bonedecimate
 {
-/// The certificate in the field data of an output. "{}" if there is none.
-std::string CertificateJsonOf(vtkPolyData* compared);
-
 /**
  * Names are those of ReportTable.h. Of a surface with a label map there are also label_names.3, the
  * name of label 3, for each label that has one, and voxel_grid.smallest_spacing (mm).

@@ -74,6 +74,30 @@ class Certify(ApplicationTest):
         self.assertEqual(found["units"]["upper"], "mm")
         self.assertEqual(found["files"], {"reference": "a.ply", "result": "b.ply", "unit": "mm"})
 
+    def test_describes_both_surfaces_in_json_and_page(self):
+        crossed = vtk.vtkAppendPolyData()
+        crossed.AddInputData(torus())
+        crossed.AddInputData(torus(center=10.0))
+        crossed.Update()
+        write(torus(), self.path("whole.ply"))
+        write(crossed.GetOutput(), self.path("crossed.ply"))
+        self.succeed("certify", "whole.ply", "crossed.ply", "--json", "c.json", "--page", "c.html", "--quiet")
+        found = self.report("c.json")
+        measured = vtk.vtkMassProperties()
+        measured.SetInputData(read(self.path("whole.ply")))
+        for which, components in (("reference", 1), ("result", 2)):
+            self.assertEqual((found[which]["components"], found[which]["boundary_edges"]), (components, 0))
+        self.assertEqual(found["reference"]["intersecting_pairs"], 0)
+        self.assertGreater(found["result"]["intersecting_pairs"], 10)
+        self.assertEqual(found["result"]["triangles"], 2 * found["reference"]["triangles"])
+        self.assertAlmostEqual(found["reference"]["area"] / measured.GetSurfaceArea(), 1, 5)
+        self.assertAlmostEqual(found["reference"]["volume"] / measured.GetVolume(), 1, 2)
+        self.assertEqual(found["units"]["reference.volume"], "mm3")
+        page = self.path("c.html").read_text(encoding="utf-8")
+        for words in ("Intersecting pairs of triangles", "Where the two surfaces are farthest apart", "&plusmn;", "@media print"):
+            self.assertIn(words, page)
+        self.assertTrue("<script type=\"application/octet-stream\"" in page or "viewer-stage" not in page)
+
     def test_takes_a_tolerance_for_each_point(self):
         write(with_tolerance(square(0.0), 0.3), self.path("a.vtp"))
         self.succeed("certify", "a.vtp", "b.ply", "--tolerance-array", "allowed")

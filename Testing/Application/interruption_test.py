@@ -3,11 +3,16 @@
 """SIGINT, SIGTERM and SIGHUP end a run; nothing of it is left. What a killed run leaves, the next one removes."""
 
 import fcntl
+import json
 import os
 import pathlib
+import pty
+import re
 import signal
 import subprocess
 import time
+
+import vtk
 
 from application import INTERRUPTED, PROGRAM, TEMPORARY, ApplicationTest, main, torus, write
 
@@ -123,6 +128,70 @@ class Interruption(ApplicationTest):
         self.assertIn("interrupted", output)
         self.succeed("bones", "out", "--target-reduction", "0.01", "--measure", "off")
         self.assertEqual(len(list(self.path("out").glob("*.ply"))), 3)
+
+
+def flat(cells):
+    """The unit square in cells x cells squares, in single precision."""
+    plane = vtk.vtkPlaneSource()
+    plane.SetResolution(cells, cells)
+    plane.Update()
+    triangles = vtk.vtkTriangleFilter()
+    triangles.SetInputData(plane.GetOutput())
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+class StoppedCertificate(ApplicationTest):
+    """Flat surfaces in other triangles: to their smallest gap the bounds take minutes."""
+
+    def setUp(self):
+        super().setUp()
+        for folder in ("before", "after"):
+            self.path(folder).mkdir()
+        for name in ("a", "b"):
+            write(flat(28), self.path(f"before/{name}.ply"))
+            write(flat(1), self.path(f"after/{name}.ply"))
+
+    def start(self, *words):
+        """The process, and its error output, a terminal."""
+        terminal, end = pty.openpty()
+        process = subprocess.Popen([PROGRAM, "certify", *words], cwd=self.folder, stdout=subprocess.PIPE, stderr=end, encoding="utf-8")
+        os.close(end)
+        self.addCleanup(os.close, terminal)
+        return process, terminal
+
+    def test_signals_leave_the_bounds_proved_so_far(self):
+        for name in (signal.SIGINT, signal.SIGTERM):
+            process, terminal = self.start(
+                "before/a.ply", "after/a.ply", "--tolerance", "0.5", "--json", "c.json", "--page", "c.html")
+            shown = ""
+            while not re.search(r"\d\.\d{4} to \d\.\d{4} mm", shown):
+                shown += os.read(terminal, 4096).decode()
+            process.send_signal(name)
+            output, _ = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, INTERRUPTED)
+            self.assertIn("stopped: bounds proved so far\n", output)
+            found = json.loads(self.path("c.json").read_text(encoding="utf-8"))
+            self.assertEqual(found["stopped"], "stopped: bounds proved so far")
+            self.assertEqual((found["problem"], found["lower"]), ("", 0.0))
+            self.assertIn(found["status"], ("proved", "undecided"))
+            self.assertEqual(found["status"] == "proved", found["upper"] <= 0.5 and found["boundary_reference_to_result"]["upper"] <= 0.5
+                             and found["boundary_result_to_reference"]["upper"] <= 0.5)
+            page = self.path("c.html").read_text(encoding="utf-8")
+            self.assertIn("The comparison was stopped: bounds proved so far.", page)
+            self.assertTrue(page.endswith("</html>\n"))
+            self.assertEqual(self.names(), ["after", "before", "c.html", "c.json"])
+
+    def test_of_folders_the_other_pairs_are_listed(self):
+        process, _ = self.start("before", "after", "--json", "c.json")
+        time.sleep(1.0)
+        process.send_signal(signal.SIGINT)
+        output, _ = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, INTERRUPTED)
+        rows = json.loads(self.path("c.json").read_text(encoding="utf-8"))
+        self.assertEqual([(row["name"], row["exit_code"]) for row in rows], [("a", INTERRUPTED), ("b", INTERRUPTED)])
+        self.assertEqual(rows[1]["problem"], "not compared: interrupted")
+        self.assertIn("b: not compared: interrupted\n", output)
 
 
 if __name__ == "__main__":

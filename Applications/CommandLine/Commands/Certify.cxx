@@ -149,10 +149,6 @@ CertifiedPair RunPair(const CertifyArguments& arguments, const FilePair& pair)
   }
   catch (const Failure& failure)
   {
-    if (failure.Code == ExitCode::Interrupted)
-    {
-      throw;
-    }
     row.Code = failure.Code;
     row.Text = failure.what();
   }
@@ -164,8 +160,9 @@ ExitCode RunFolders(const CertifyArguments& arguments)
   std::vector<CertifiedPair> rows;
   for (const FilePair& pair : FindPairs(arguments.Files[0], arguments.Files[1]))
   {
-    StopIfInterrupted();
-    rows.push_back(RunPair(arguments, pair));
+    rows.push_back(IsInterrupted()
+        ? CertifiedPair{ pair.Name, ExitCode::Interrupted, "not compared: interrupted", {} }
+        : RunPair(arguments, pair));
     if (!arguments.Quiet)
     {
       std::cout << PlainText(rows.back().Name) << ": " << PlainText(rows.back().Text) << "\n"

@@ -93,7 +93,7 @@ std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs)
 
 ExitCode WorstOfPairs(const std::vector<CertifiedPair>& pairs)
 {
-  for (const ExitCode code : { ExitCode::Violated, ExitCode::Undecided })
+  for (const ExitCode code : { ExitCode::Interrupted, ExitCode::Violated, ExitCode::Undecided })
   {
     if (std::any_of(pairs.begin(), pairs.end(),
           [code](const CertifiedPair& pair) { return pair.Code == code; }))

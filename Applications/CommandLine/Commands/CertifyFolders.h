@@ -41,7 +41,7 @@ std::vector<FilePair> FindPairs(const std::string& references, const std::string
 /// A list of objects: name, exit code, and the certificate or the problem.
 std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs);
 
-/// Violated if one is, else Undecided, else the code of a pair that was rejected.
+/// Interrupted if one is, else Violated, else Undecided, else the code of a pair that was rejected.
 ExitCode WorstOfPairs(const std::vector<CertifiedPair>& pairs);
 }
 

@@ -11,8 +11,10 @@
 #include "Formats/FileChecks.h"
 #include "Formats/FileFrame.h"
 #include "LeftOutOfReader.h"
+#include "Picture.h"
 #include "PlainText.h"
 #include "Report/JsonReport.h"
+#include "Report/PageSurfaces.h"
 #include "ReportFields.h"
 #include "Runs/FilterRun.h"
 #include "Runs/SlabSource.h"
@@ -27,6 +29,7 @@ namespace bonedecimate
 namespace
 {
 constexpr int DecimalsOfLine = 6;
+constexpr int DecimalsOfProgress = 4;
 }
 
 CertifyRun::CertifyRun(const CertifyArguments& arguments)
@@ -62,7 +65,7 @@ std::string CertifyRun::Json() const
     this->Voxels ? this->Voxels->Json() : nlohmann::ordered_json(), this->Warnings,
     this->ReportOfResult, this->Requested.Settings, this->Requested.Iso };
   return ComposeJsonCertificate(
-    this->Requested.HasReference() ? this->Filter->GetOutput() : nullptr, subject);
+    this->Requested.HasReference() ? this->Filter->GetReportAsJson() : std::string(), subject);
 }
 
 //------------------------------------------------------------------------------
@@ -94,8 +97,10 @@ void CertifyRun::Compare()
   this->Filter->SetMeasureMeans(!this->Requested.WithoutMeans);
   this->Filter->SetMeanPrecision(this->Requested.Precision);
   this->Filter->SetNumberOfThreads(this->Requested.Threads);
+  this->Filter->SetMeasureSurfaces(!this->Requested.Json.empty() || !this->Requested.Page.empty());
   const VtkMessages messages =
-    UpdateFilter(this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar, "proving");
+    UpdateUntilInterrupted(this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar,
+      "proving", [this] { return this->BoundsSoFar(); });
   const std::string problem = this->Filter->GetReportText("problem");
   if (!messages.Errors.empty() || !problem.empty())
   {
@@ -107,17 +112,61 @@ void CertifyRun::Compare()
 }
 
 //------------------------------------------------------------------------------
-void CertifyRun::Write() const
+std::string CertifyRun::BoundsSoFar() const
 {
-  const std::string json = this->Json();
-  if (!this->Requested.Json.empty())
-  {
-    WriteTextFile(this->Requested.Json, json);
-  }
+  const double upper = this->Filter->GetUpperBound();
+  return std::isnan(upper) ? std::string()
+                           : LowerBoundText(this->Filter->GetLowerBound(), DecimalsOfProgress) +
+      " to " + UpperBoundText(upper, DecimalsOfProgress) + " mm";
+}
+
+//------------------------------------------------------------------------------
+void CertifyRun::Write()
+{
   if (!this->Requested.Page.empty())
   {
-    WriteTextFile(this->Requested.Page, ComposeCertificatePage(json));
+    StagedFile page(this->Requested.Page);
+    StagedFile picture(this->Requested.Page + ".png"); // never committed: the page holds it
+    this->WritePage(page, picture);
+    page.Commit();
   }
+  if (!this->Requested.Json.empty())
+  {
+    WriteTextFile(this->Requested.Json, this->Json());
+  }
+}
+
+//------------------------------------------------------------------------------
+void CertifyRun::WritePage(StagedFile& page, StagedFile& picture)
+{
+  PairSubject pair;
+  vtkSmartPointer<vtkPolyData> result;
+  std::string pictureFile;
+  if (this->Requested.HasReference() && !this->Filter->GetWasStopped())
+  {
+    const char* const distance = "Distance";
+    const std::string array = this->Filter->GetSignedDistanceArrayName();
+    pair.Before = WithoutSigns(this->Filter->GetOutput(0), array, distance);
+    result = WithoutSigns(this->Filter->GetOutput(1), array, distance);
+    pair.Result = result;
+    pair.DistanceArrayName = pair.ResultDistanceArrayName = distance;
+    pair.Reduce = ReduceForPage;
+    pair.Frame = this->Frame;
+    PictureSubject drawn;
+    drawn.Before = pair.Before;
+    drawn.After = pair.Result;
+    drawn.DistanceArrayName = distance;
+    drawn.Title = PlainText(BaseName(this->Requested.Result()));
+    drawn.IsInPatientCoordinates = this->Frame == "LPS";
+    const std::string problem = WritePicture(drawn, picture.GetTemporary());
+    TakeVtkMessages(); // whatever VTK said about a missing display is in the problem
+    pictureFile = problem.empty() ? picture.GetTemporary() : std::string();
+    if (!problem.empty())
+    {
+      this->Warnings.push_back("the picture could not be drawn: " + problem);
+    }
+  }
+  page.WriteText(ComposeCertificatePage(this->Json(), pair, pictureFile));
 }
 
 //------------------------------------------------------------------------------
@@ -146,14 +195,20 @@ void CertifyRun::Tell()
 std::string CertifyRun::Line() const
 {
   const std::string status = this->Filter->GetStatusAsString();
+  const std::string stopped = this->Filter->GetReportText("stopped");
   return LowerBoundText(this->Filter->GetLowerBound(), DecimalsOfLine) + " to " +
     UpperBoundText(this->Filter->GetUpperBound(), DecimalsOfLine) + " mm" +
-    (this->Filter->GetStatus() == vtkBoneSurfaceDistance::NOT_ASKED ? "" : ", " + status);
+    (this->Filter->GetStatus() == vtkBoneSurfaceDistance::NOT_ASKED ? "" : ", " + status) +
+    (stopped.empty() ? "" : ", " + stopped);
 }
 
 //------------------------------------------------------------------------------
 ExitCode CertifyRun::Code() const
 {
+  if (this->Filter->GetWasStopped())
+  {
+    return ExitCode::Interrupted;
+  }
   if (this->Voxels && this->Voxels->IsViolated())
   {
     return ExitCode::Violated;
@@ -172,6 +227,10 @@ ExitCode CertifyRun::Code() const
 //------------------------------------------------------------------------------
 void CertifyRun::TellDistance() const
 {
+  if (this->Filter->GetWasStopped())
+  {
+    std::cout << this->Filter->GetReportText("stopped") << "\n";
+  }
   std::cout << "distance             "
             << LowerBoundText(this->Filter->GetLowerBound(), DecimalsOfRounding) << " to "
             << UpperBoundText(this->Filter->GetUpperBound(), DecimalsOfRounding)

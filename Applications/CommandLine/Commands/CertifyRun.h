@@ -13,6 +13,7 @@
 #define BoneDecimate_Applications_CertifyRun_h
 
 #include "Certify.h"
+#include "Files/StagedFile.h"
 #include "VoxelCertificate.h"
 
 #include "vtkBoneSurfaceDistance.h"
@@ -36,15 +37,21 @@ public:
   /// Everything found, as JSON.
   std::string Json() const;
   void CompareVoxels();
+  /// After an interruption it leaves the bounds proved so far.
   void Compare();
-  void Write() const;
+  void Write();
   void Tell();
 
   /// Bounds of the distance and whether the tolerance is kept, in a line.
   std::string Line() const;
+  /// Interrupted if the comparison was stopped.
   ExitCode Code() const;
 
 private:
+  /// What the progress shows; empty before the first bounds.
+  std::string BoundsSoFar() const;
+  /// The page and its picture.
+  void WritePage(StagedFile& page, StagedFile& picture);
   void TellDistance() const;
   void ReadReference();
   void ReadScan(const std::string& file);

@@ -177,11 +177,13 @@ std::string ComposeJsonReport(vtkPolyData* result, const ReportSubject& subject)
   return JsonText(report);
 }
 
-std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject& subject)
+std::string ComposeJsonCertificate(
+  const std::string& certificate, const CertificateSubject& subject)
 {
-  Json report = output != nullptr ? Json::parse(CertificateJsonOf(output))
-                                  : Json({ { "version", Version() }, { "problem", "" },
-                                      { "status", "not_requested" }, { "units", Json::object() } });
+  Json report = !certificate.empty()
+    ? Json::parse(certificate)
+    : Json({ { "version", Version() }, { "problem", "" }, { "status", "not_requested" },
+        { "units", Json::object() } });
   if (subject.Tolerance)
   {
     report["tolerance"] = *subject.Tolerance;

@@ -90,9 +90,10 @@ struct CertificateSubject
   std::optional<double> Iso = {}; ///< HU, of the surface of a volume as the reference.
 };
 
-/// A certificate in the field data of an output of vtkBoneSurfaceDistance in the same way.
-/// @param output Null: distances were not proved.
-std::string ComposeJsonCertificate(vtkPolyData* output, const CertificateSubject& subject);
+/// A certificate in the same way.
+/// @param certificate vtkBoneSurfaceDistance::GetReportAsJson(); empty: distances were not proved.
+std::string ComposeJsonCertificate(
+  const std::string& certificate, const CertificateSubject& subject);
 
 /// The text for a file. Bytes of names that are not UTF-8 do not prevent a report.
 std::string JsonText(const nlohmann::ordered_json& json);

@@ -77,6 +77,26 @@ vtkSmartPointer<vtkPolyData> ReduceForPage(vtkPolyData* surface, vtkIdType trian
   return reduced->GetNumberOfPolys() > 0 ? reduced : surface;
 }
 
+vtkSmartPointer<vtkPolyData> WithoutSigns(
+  vtkPolyData* surface, const std::string& signedName, const std::string& arrayName)
+{
+  vtkDataArray* const signs = surface->GetPointData()->GetArray(signedName.c_str());
+  if (signs == nullptr)
+  {
+    return surface;
+  }
+  vtkNew<vtkFloatArray> distances;
+  distances->SetName(arrayName.c_str());
+  for (vtkIdType point = 0; point < signs->GetNumberOfTuples(); ++point)
+  {
+    distances->InsertNextValue(static_cast<float>(std::abs(signs->GetComponent(point, 0))));
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->ShallowCopy(surface);
+  result->GetPointData()->AddArray(distances);
+  return result;
+}
+
 vtkSmartPointer<vtkPolyData> WithDistances(
   vtkPolyData* surface, vtkPolyData* other, const std::string& arrayName)
 {

@@ -28,6 +28,11 @@ PageSubject PageOfRun(vtkBoneDecimate* filter);
 /// reduced.
 vtkSmartPointer<vtkPolyData> ReduceForPage(vtkPolyData* surface, vtkIdType triangles);
 
+/// The surface with the lengths of signed distances of its points as another array. The surface
+/// itself if it has no such distances.
+vtkSmartPointer<vtkPolyData> WithoutSigns(
+  vtkPolyData* surface, const std::string& signedName, const std::string& arrayName);
+
 /// The surface with the distance of each point to the triangles of another one, mm.
 vtkSmartPointer<vtkPolyData> WithDistances(
   vtkPolyData* surface, vtkPolyData* other, const std::string& arrayName);

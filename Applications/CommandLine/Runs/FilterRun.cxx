@@ -36,16 +36,23 @@ void RequireUnitOfFile(
 
 VtkMessages UpdateFilter(vtkAlgorithm* filter, Progress progress, const std::string& phase)
 {
+  VtkMessages messages = UpdateUntilInterrupted(filter, progress, phase);
+  StopIfInterrupted();
+  return messages;
+}
+
+VtkMessages UpdateUntilInterrupted(vtkAlgorithm* filter, Progress progress,
+  const std::string& phase, const std::function<std::string()>& detail)
+{
   ProgressDisplay display(progress);
   display.Begin(phase);
   vtkNew<ProgressBar> bar;
-  bar->SetDisplay(&display);
+  bar->SetDisplay(&display, detail);
   const unsigned long observer = filter->AddObserver(vtkCommand::ProgressEvent, bar);
   TakeVtkMessages();
   filter->Update();
   display.Clear();
   filter->RemoveObserver(observer);
-  StopIfInterrupted();
   return TakeVtkMessages();
 }
 

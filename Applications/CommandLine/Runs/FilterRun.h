@@ -14,6 +14,7 @@
 
 #include "vtkAlgorithm.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,11 @@ MillimeterSurface ReadInput(
  */
 VtkMessages UpdateFilter(
   vtkAlgorithm* filter, Progress progress, const std::string& phase = "processing");
+
+/// The same, but after an interruption, which aborts the filter, it returns.
+/// @param detail What the display shows behind the fraction; may be empty.
+VtkMessages UpdateUntilInterrupted(vtkAlgorithm* filter, Progress progress,
+  const std::string& phase, const std::function<std::string()>& detail = {});
 
 /**
  * Appends the warnings.

@@ -14,7 +14,8 @@ void ProgressBar::Execute(vtkObject* caller, unsigned long, void* callData)
   }
   if (this->Display != nullptr)
   {
-    this->Display->Show(*static_cast<double*>(callData));
+    this->Display->Show(
+      *static_cast<double*>(callData), this->Detail ? this->Detail() : std::string());
   }
 }
 }

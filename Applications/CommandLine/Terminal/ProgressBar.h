@@ -12,6 +12,10 @@
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 
+#include <functional>
+#include <string>
+#include <utility>
+
 namespace bonedecimate
 {
 class ProgressBar : public vtkCommand
@@ -21,13 +25,19 @@ public:
   vtkTypeMacro(ProgressBar, vtkCommand);
 
   /// @param display Null: nothing is shown.
-  void SetDisplay(ProgressDisplay* display) { this->Display = display; }
+  /// @param detail What it shows behind the fraction; may be empty.
+  void SetDisplay(ProgressDisplay* display, std::function<std::string()> detail = {})
+  {
+    this->Display = display;
+    this->Detail = std::move(detail);
+  }
 
   /// Tells the algorithm to abort once the program was interrupted.
   void Execute(vtkObject* caller, unsigned long event, void* callData) override;
 
 private:
   ProgressDisplay* Display = nullptr;
+  std::function<std::string()> Detail;
 };
 }
 

@@ -53,16 +53,20 @@ void ProgressDisplay::Begin(const std::string& phase)
   }
 }
 
-void ProgressDisplay::Show(double fraction)
+void ProgressDisplay::Show(double fraction, const std::string& detail)
 {
   const int percent = std::clamp(static_cast<int>(fraction * 100.0), 0, 100);
   const int step = this->Shown == Form::Lines ? PercentOfALine : 1;
-  if (this->Shown == Form::Hidden || (this->Percent >= 0 && percent / step == this->Percent / step))
+  const bool isSame = this->Percent >= 0 && percent / step == this->Percent / step &&
+    (this->Shown != Form::Bar || detail == this->Detail);
+  if (this->Shown == Form::Hidden || isSame)
   {
     return;
   }
   this->Percent = percent;
-  const std::string left = TimeLeftText(this->SincePhase.Seconds(), fraction);
+  this->Detail = detail;
+  std::string left = TimeLeftText(this->SincePhase.Seconds(), fraction);
+  left += (left.empty() || detail.empty() ? "" : ", ") + detail;
   const auto done = static_cast<std::size_t>(percent * BarLength / 100);
   switch (this->Shown)
   {

@@ -34,7 +34,8 @@ public:
   void Begin(const std::string& phase);
 
   /// @param fraction Fraction of the phase that is done, 0 to 1.
-  void Show(double fraction);
+  /// @param detail Text of a bar or a line behind it.
+  void Show(double fraction, const std::string& detail = {});
 
   /// Removes the bar.
   void Clear();
@@ -52,6 +53,7 @@ private:
   std::string Phase;
   StageClock SincePhase;
   int Percent = -1;
+  std::string Detail;
 };
 
 /// "2 min 5 s left", from the seconds that a fraction took; empty while that says too little.
