@@ -273,11 +273,15 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   options.MeanPrecision = this->MeanPrecision;
   options.WithPointDistances = true;
   options.NumberOfThreads = this->NumberOfThreads;
-  options.OnBounds = [this](double lower, double upper)
+  options.OnBounds = nullptr;
+  if (this->FollowBounds)
   {
-    this->Internal->LowerBound = lower;
-    this->Internal->UpperBound = upper;
-  };
+    options.OnBounds = [this](double lower, double upper)
+    {
+      this->Internal->LowerBound = lower;
+      this->Internal->UpperBound = upper;
+    };
+  }
   bonedecimate::Certificate& certificate = this->Internal->Result;
   bonedecimate::FilterProgress progress(*this, "Proving the distance");
   const bonedecimate::Monitor monitor = std::ref(progress);
@@ -359,6 +363,7 @@ void vtkBoneSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeasureBoundaries: " << this->MeasureBoundaries << "\n";
   os << indent << "MeasureMeans: " << this->MeasureMeans << "\n";
   os << indent << "MeasureSurfaces: " << this->MeasureSurfaces << "\n";
+  os << indent << "FollowBounds: " << this->FollowBounds << "\n";
   os << indent << "MeanPrecision: " << this->MeanPrecision << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "SignedDistanceArrayName: " << this->Internal->SignedDistanceArrayName << "\n";

@@ -125,6 +125,16 @@ public:
 
   ///@{
   /**
+   * Whether GetLowerBound() and GetUpperBound() follow a run in its progress events. It then takes
+   * up to a fifth longer. Off by default: they are set when the run ends or is aborted.
+   */
+  vtkSetMacro(FollowBounds, bool);
+  vtkGetMacro(FollowBounds, bool);
+  vtkBooleanMacro(FollowBounds, bool);
+  ///@}
+
+  ///@{
+  /**
    * Two standard errors of the average and of the root mean square as a ratio to them, 1e-4 to 1;
    * default 0.005.
    */
@@ -175,7 +185,7 @@ public:
   ///@{
   /**
    * Proved bounds of the two-sided Hausdorff distance of the surfaces, mm; in progress events those
-   * proved so far. NaN before the first run.
+   * proved so far, with FollowBounds. NaN before the first run.
    */
   double GetLowerBound() const;
   double GetUpperBound() const;
@@ -242,6 +252,7 @@ private:
   bool MeasureBoundaries = true;
   bool MeasureMeans = true;
   bool MeasureSurfaces = false;
+  bool FollowBounds = false;
   double MeanPrecision = 5e-3;
   int NumberOfThreads = 0;
   std::unique_ptr<Internals> Internal;

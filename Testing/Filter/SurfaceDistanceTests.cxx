@@ -199,15 +199,21 @@ TEST(SurfaceDistanceFilter, AbortedHasTheBoundsProvedUntilThen)
     EXPECT_LE(run->GetLowerBound(), whole->GetUpperBound());
     EXPECT_GE(run->GetUpperBound(), whole->GetLowerBound());
     EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::PROVED);
-    EXPECT_TRUE(Values(run->GetOutput(), "SignedDistance").empty());
+    const auto points = static_cast<std::size_t>(run->GetOutput()->GetNumberOfPoints());
+    const std::size_t distances = Values(run->GetOutput(), "SignedDistance").size();
+    EXPECT_TRUE(distances == 0 || distances == points) << distances; // all of them or none
   }
 }
 
 TEST(SurfaceDistanceFilter, KnowsBoundsInProgressEvents)
 {
   DistanceRun run(Bumps(5), Sphere(4));
+  run->SetFollowBounds(true);
   run->Update();
-  ASSERT_FALSE(run.Bounds.empty());
+  const auto first = std::find_if(run.Bounds.begin(), run.Bounds.end(),
+    [](const std::array<double, 2>& bounds) { return !std::isnan(bounds[0]); });
+  run.Bounds.erase(run.Bounds.begin(), first);
+  ASSERT_GT(run.Bounds.size(), 50u);
   for (std::size_t i = 0; i < run.Bounds.size(); ++i)
   {
     EXPECT_LE(run.Bounds[i][0], run->GetUpperBound());
@@ -223,6 +229,7 @@ TEST(SurfaceDistanceFilter, DescribesBothSurfacesOnRequest)
   run->Update();
   EXPECT_TRUE(std::isnan(run->GetReportValue("reference.triangles")));
   run->MeasureSurfacesOn();
+  run.Progress.clear();
   run->Update();
   EXPECT_EQ(run->GetReportValue("reference.triangles"), 320.0);
   EXPECT_EQ(run->GetReportValue("reference.components"), 1.0);
@@ -273,9 +280,10 @@ TEST(SurfaceDistanceFilter, PrintsEveryProperty)
   vtkNew<vtkBoneSurfaceDistance> filter;
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name : { "Tolerance: ", "ToleranceArrayName: ", "TightBounds: ", "RelativeGap: ",
-         "MeasureBoundaries: ", "MeasureMeans: ", "MeasureSurfaces: ", "MeanPrecision: ",
-         "NumberOfThreads: ", "SignedDistanceArrayName: ", "SideArrayName: ", "Status: " })
+  for (const char* name :
+    { "Tolerance: ", "FollowBounds: ", "ToleranceArrayName: ", "TightBounds: ", "RelativeGap: ",
+      "MeasureBoundaries: ", "MeasureMeans: ", "MeasureSurfaces: ", "MeanPrecision: ",
+      "NumberOfThreads: ", "SignedDistanceArrayName: ", "SideArrayName: ", "Status: " })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

@@ -35,6 +35,7 @@ protected:
     this->Ball->SetPhiResolution(60);
     this->Filter->SetInputConnection(this->Ball->GetOutputPort());
     this->Filter->SetMeasureInputDistances(true);
+    this->Subject.Name = "ball";
   }
 
   std::string Compose()
@@ -42,13 +43,14 @@ protected:
     this->Filter->Update();
     this->Subject.Result = this->Filter->GetOutput(0);
     this->Subject.Before = this->Filter->GetOutput(1);
+    this->Subject.ResultDistanceArrayName = "Distance";
     this->Subject.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
     return ComposePage(this->Subject);
   }
 
   vtkNew<vtkSphereSource> Ball;
   vtkNew<vtkBoneDecimate> Filter;
-  PageSubject Subject{ "ball", nullptr, nullptr, "", "Distance", {}, "", {}, "", {}, "" };
+  PageSubject Subject;
 };
 
 bool Contains(const std::string& text, const std::string& part)

@@ -18,6 +18,7 @@
 #include "ReportFields.h"
 #include "Runs/FilterRun.h"
 #include "Runs/SlabSource.h"
+#include "Terminal/ProgressDisplay.h"
 
 #include "vtkPointData.h"
 
@@ -98,9 +99,10 @@ void CertifyRun::Compare()
   this->Filter->SetMeanPrecision(this->Requested.Precision);
   this->Filter->SetNumberOfThreads(this->Requested.Threads);
   this->Filter->SetMeasureSurfaces(!this->Requested.Json.empty() || !this->Requested.Page.empty());
-  const VtkMessages messages =
-    UpdateUntilInterrupted(this->Filter, this->Requested.Quiet ? Progress::Hidden : Progress::Bar,
-      "proving", [this] { return this->BoundsSoFar(); });
+  const Progress progress = this->Requested.Quiet ? Progress::Hidden : Progress::Bar;
+  this->Filter->SetFollowBounds(ProgressDisplay::IsBar(progress));
+  const VtkMessages messages = UpdateUntilInterrupted(
+    this->Filter, progress, "proving", [this] { return this->BoundsSoFar(); });
   const std::string problem = this->Filter->GetReportText("problem");
   if (!messages.Errors.empty() || !problem.empty())
   {

@@ -33,10 +33,15 @@ std::string TimeLeftText(double seconds, double fraction)
   return text + " left";
 }
 
+bool ProgressDisplay::IsBar(Progress progress)
+{
+  return (progress == Progress::Bar || progress == Progress::Lines) && isatty(STDERR_FILENO) == 1;
+}
+
 ProgressDisplay::ProgressDisplay(Progress progress)
   : Shown(progress == Progress::Hidden ? Form::Hidden
         : progress == Progress::Tags   ? Form::Tags
-        : isatty(STDERR_FILENO) == 1   ? Form::Bar
+        : IsBar(progress)              ? Form::Bar
         : progress == Progress::Lines  ? Form::Lines
                                        : Form::Hidden)
 {

@@ -37,6 +37,9 @@ public:
   /// @param detail Text of a bar or a line behind it.
   void Show(double fraction, const std::string& detail = {});
 
+  /// Whether a bar is drawn.
+  static bool IsBar(Progress progress);
+
   /// Removes the bar.
   void Clear();
 
