@@ -43,7 +43,11 @@ std::set<std::string> OwnInputArrays(const Options& options)
 std::string PassedName(
   vtkAbstractArray* array, const std::set<std::string>& own, vtkDataSetAttributes* data)
 {
-  std::string name = array->GetName() != nullptr ? array->GetName() : "";
+  if (array->GetName() == nullptr)
+  {
+    return {};
+  }
+  std::string name = array->GetName();
   if (own.count(name) > 0 && !IsRenamed(array, own))
   {
     return {};

@@ -29,7 +29,7 @@ std::set<std::string> OwnInputArrays(const Options& options);
  * The name of an input array in the result. An array with the name of an own array is either that
  * of an earlier run, which is dropped, or the user's, which gets another name: "Distance.input".
  * Arrays of runs have the unit as the name of their component.
- * @param own Names of the arrays that the run adds. @return Empty: dropped.
+ * @param own Names of the arrays that the run adds. @return Empty: dropped, or without a name.
  */
 std::string PassedName(
   vtkAbstractArray* array, const std::set<std::string>& own, vtkDataSetAttributes* data);

@@ -5,6 +5,7 @@
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -196,4 +197,28 @@ TEST(Arrays, OfTheFieldDataPassThrough)
   FilterRun run(input);
   EXPECT_EQ(run.Output()->GetFieldData()->GetArray("Scale"), scale);
   EXPECT_TRUE(run.SaidNothing()) << run.AllMessages();
+}
+
+// vtkMarchingCubes makes such arrays.
+TEST(Arrays, WithoutANamePassWithoutOne)
+{
+  const vtkSmartPointer<vtkPolyData> surface = Bumps(3);
+  const vtkNew<vtkDoubleArray> unnamed;
+  unnamed->SetNumberOfTuples(surface->GetNumberOfPoints());
+  unnamed->Fill(7.0);
+  surface->GetPointData()->AddArray(unnamed);
+  const vtkNew<vtkIntArray> ofCells;
+  ofCells->SetNumberOfTuples(surface->GetNumberOfCells());
+  ofCells->Fill(5);
+  surface->GetCellData()->AddArray(ofCells);
+  FilterRun run(surface);
+  run->SetMaximumError(0.2);
+  run->MeasureInputDistancesOn();
+  vtkPolyData* output = run.Output();
+  EXPECT_TRUE(run.SaidNothing()) << run.AllMessages();
+  vtkDataArray* passed = output->GetPointData()->GetArray(0);
+  EXPECT_EQ(passed->GetName(), nullptr);
+  EXPECT_EQ(passed->GetNumberOfTuples(), output->GetNumberOfPoints());
+  EXPECT_EQ(passed->GetComponent(0, 0), 7.0);
+  EXPECT_EQ(output->GetCellData()->GetArray(0)->GetComponent(0, 0), 5.0);
 }
