@@ -12,6 +12,7 @@
 #include "RunState.h"
 #include "SurfaceConversion.h"
 
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -241,6 +242,22 @@ std::string vtkBoneDecimateAlgorithm::OptionProblem(
 }
 
 void vtkBoneDecimateAlgorithm::OptionChanged(const std::string&) {}
+
+//------------------------------------------------------------------------------
+void vtkBoneDecimateAlgorithm::ForgetReport()
+{
+  this->State->Keep(bonedecimate::Report());
+}
+
+vtkTypeBool vtkBoneDecimateAlgorithm::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    this->ForgetReport();
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
 
 //------------------------------------------------------------------------------
 void vtkBoneDecimateAlgorithm::Warn(const std::vector<std::string>& sentences)

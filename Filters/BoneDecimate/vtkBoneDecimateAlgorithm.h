@@ -84,7 +84,8 @@ public:
   vtkGetMacro(Label, vtkTypeInt64);
   ///@}
 
-  /// Why the last run ended: one of StopReasons; NOT_RUN before the first update.
+  /// Why the last run ended: one of StopReasons; NOT_RUN before the first update. This and all
+  /// figures of the report are again those before the first update after an update that failed.
   int GetStopReason() const;
 
   /// Why the last run ended, as a sentence.
@@ -150,6 +151,9 @@ public:
   /// Value of an entry as text, numbers with all their digits; empty if the name is unknown.
   std::string GetReportText(const std::string& name) const;
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkBoneDecimateAlgorithm();
   ~vtkBoneDecimateAlgorithm() override;
@@ -170,6 +174,10 @@ protected:
    */
   std::string FindUnsupportedOption(
     const std::vector<std::string>& kinds, const std::vector<std::string>& alsoUsed) const;
+
+  /// Called before each run, so that no figure of the last one outlives its surface if this one
+  /// fails.
+  virtual void ForgetReport();
 
   /// An option has another value now.
   virtual void OptionChanged(const std::string& name);

@@ -73,6 +73,30 @@ TEST(ErrorCode, SaysWhyAnUpdateFailedAndIsGoneAfterTheNext)
   EXPECT_EQ(run->GetErrorCode(), 0U);
 }
 
+TEST(Report, OfARunDoesNotOutliveItsSurface)
+{
+  FilterRun run(Bumps(3));
+  run->SetMaximumError(0.2);
+  run.Output();
+  ASSERT_EQ(run->GetProofStatus(), vtkBoneDecimate::PROVED);
+  const auto expectNothing = [&run]
+  {
+    EXPECT_EQ(run.Output()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(run->GetProofStatus(), vtkBoneDecimate::NO_PROOF);
+    EXPECT_TRUE(std::isnan(run->GetProvedError()));
+    EXPECT_EQ(run->GetNumberOfOutputTriangles(), 0);
+    EXPECT_EQ(run->GetStopReason(), vtkBoneDecimate::NOT_RUN);
+    EXPECT_TRUE(std::isnan(run->GetReportValue("proof.upper")));
+  };
+  run->SetLabelArrayName("Nothing");
+  expectNothing();
+  run->SetLabelArrayName("");
+  run.Output();
+  ASSERT_EQ(run->GetProofStatus(), vtkBoneDecimate::PROVED);
+  run->SetMaximumError(-1.0);
+  expectNothing();
+}
+
 TEST(RejectedValues, OfTheSurfaceDistance)
 {
   const vtkNew<vtkBoneSurfaceDistance> held;

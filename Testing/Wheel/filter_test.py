@@ -128,6 +128,28 @@ class Pipeline(unittest.TestCase):
         decimate.Update()
         self.assertEqual(len(starts), 2)
 
+    def test_forgets_the_report_of_a_run_before_one_that_fails(self):
+        decimate = decimating(MaximumError=0.3)
+        decimate.Update()
+        self.assertEqual(decimate.GetProofStatus(), vtkBoneDecimate.PROVED)
+        decimate.AddObserver("ErrorEvent", lambda *_: None)
+        decimate.SetToleranceArrayName("Nothing")
+        decimate.Update()
+        self.assertEqual((decimate.GetErrorCode(), decimate.GetOutput().GetNumberOfPoints()), (vtkBoneDecimate.REJECTED_RUN, 0))
+        self.assertEqual((decimate.GetProofStatus(), decimate.GetStopReason()), (vtkBoneDecimate.NO_PROOF, vtkBoneDecimate.NOT_RUN))
+        self.assertTrue(np.isnan(decimate.GetProvedError()))
+
+    def test_passes_arrays_without_a_name(self):
+        surface = specimens.torus(30, 20)
+        unnamed = vtkDoubleArray()
+        unnamed.SetNumberOfTuples(surface.GetNumberOfPoints())
+        unnamed.Fill(7.0)
+        surface.GetPointData().AddArray(unnamed)
+        decimate = decimating(surface, MaximumError=0.3)
+        decimate.Update()
+        passed = decimate.GetOutput().GetPointData().GetAbstractArray(0)
+        self.assertEqual((passed.GetName(), passed.GetNumberOfTuples()), (None, decimate.GetOutput().GetNumberOfPoints()))
+
     def test_gives_what_numpy_gets(self):
         surface = specimens.torus(30, 20)
         decimate = decimating(surface, MaximumError=0.1)

@@ -49,10 +49,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
     def __init__(self, **properties) -> None:
         super().__init__(nInputPorts=3, inputType="vtkPolyData", nOutputPorts=2, outputType="vtkPolyData")
         self._options = _core.Options()
-        self._entries = _core.empty_report()
-        self._json = _core.empty_json()
-        self._stop = _core.StopReason.NotRun
-        self._rejected_edits = 0
+        self._forget_report()
         self._interrupted = False
         self._error_code = self._percent = 0
         self._label = 0
@@ -221,6 +218,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
 
     def RequestData(self, _request, inInfo, outInfo) -> int:
         self._error_code = self._percent = 0
+        self._forget_report()
         self.SetProgressText("Simplifying the surface")
         outputs = [vtkPolyData.GetData(outInfo, port) for port in range(2)]
         try:
@@ -231,6 +229,11 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
         except KeyboardInterrupt:  # VTK would print it and go on
             self._interrupted = True
             return 0
+
+    def _forget_report(self) -> None:
+        """No figure of a run outlives its surface if the next one fails."""
+        self._entries, self._json, self._stop = _core.empty_report(), _core.empty_json(), _core.StopReason.NotRun
+        self._rejected_edits = 0
 
     def _with_label_map(self, data: vtkPolyData, label_map: vtkImageData | None) -> vtkPolyData:
         """The input, or a copy with the grid of the label map. Warns of voxels in which both differ."""
