@@ -312,3 +312,19 @@ TEST(LabelMapCurves, BetweenLabelsOfAManifoldSurfaceHaveNoPointThatStaysForTheTo
   EXPECT_EQ(result.Report.Cleaning.NonManifoldPoints, 0);
   EXPECT_EQ(result.Report.Cleaning.FirstNonManifoldPoint, -1);
 }
+
+TEST(Labels, WarningsNameTheWallThatChangedMost)
+{
+  const auto warning = [](const std::string& name)
+  {
+    Report report;
+    report.Labels = { { "8", 100.0, 100.5 }, { name, 100.0, 95.0 }, { "9", 100.0, 102.0 } };
+    const std::vector<std::string> warnings = InputWarnings(report);
+    return warnings.empty() ? std::string() : warnings.back();
+  };
+  EXPECT_EQ(
+    warning("7"), "the areas of 2 labels changed by more than 1 %, most that of label 7: by 5 %");
+  EXPECT_EQ(warning("2_0"),
+    "the areas of 2 walls between labels changed by more than 1 %, most that of the wall between "
+    "2 and 0: by 5 %");
+}

@@ -107,6 +107,29 @@ std::vector<std::string> DistanceWarnings(const Report& report)
   return { text };
 }
 
+/// Areas of a label map are those of walls between two labels, "1_2" (LabelArrays.h).
+std::vector<std::string> LabelWarnings(const std::vector<LabelArea>& areas)
+{
+  const auto isChanged = [](const LabelArea& a) { return a.Change() > LabelChangeToWarn; };
+  const auto most = std::max_element(areas.begin(), areas.end(),
+    [](const LabelArea& a, const LabelArea& b) { return a.Change() < b.Change(); });
+  if (most == areas.end() || !isChanged(*most))
+  {
+    return {};
+  }
+  const std::size_t between = most->Name.find('_');
+  const bool isWall = std::count(most->Name.begin(), most->Name.end(), '_') == 1;
+  const std::string name = isWall
+    ? "the wall between " + most->Name.substr(0, between) + " and " + most->Name.substr(between + 1)
+    : "label " + most->Name;
+  const auto count = std::count_if(areas.begin(), areas.end(), isChanged);
+  char change[40];
+  std::snprintf(change, sizeof(change), ": by %.3g %%", 100.0 * most->Change());
+  return { "the areas of " + std::to_string(count) +
+    (isWall ? " walls between labels" : " labels") + " changed by more than 1 %, most that of " +
+    name + change };
+}
+
 std::string FarMessage(const ProvedDistance& distance)
 {
   char text[160];
@@ -309,20 +332,8 @@ std::vector<std::string> InputWarnings(const Report& report)
       "points stay where they are because the surface is not manifold there", "point",
       found.FirstNonManifoldPoint));
   }
-  const auto changed = [](const LabelArea& a) { return a.Change() > LabelChangeToWarn; };
-  const auto most = std::max_element(report.Labels.begin(), report.Labels.end(),
-    [](const LabelArea& a, const LabelArea& b) { return a.Change() < b.Change(); });
-  if (most != report.Labels.end() && changed(*most))
-  {
-    const auto count = std::count_if(report.Labels.begin(), report.Labels.end(), changed);
-    char text[120];
-    std::snprintf(text, sizeof(text),
-      "the areas of %lld labels changed by more than 1 %%, most that of label ",
-      static_cast<long long>(count));
-    char change[40];
-    std::snprintf(change, sizeof(change), ": by %.3g %%", 100.0 * most->Change());
-    warnings.push_back(text + most->Name + change);
-  }
+  const std::vector<std::string> ofLabels = LabelWarnings(report.Labels);
+  warnings.insert(warnings.end(), ofLabels.begin(), ofLabels.end());
   return warnings;
 }
 
