@@ -50,6 +50,8 @@ class Results(unittest.TestCase):
                 self.assertEqual((read.n_cells, "proof.status" in read.bone.report), (len(result.triangles), has_report), ending)
             with self.assertRaisesRegex(OSError, "no format has that ending"):
                 result.save(pathlib.Path(folder) / "small.xyz")
+            with self.assertRaisesRegex(FileNotFoundError, "the folder does not exist"):
+                result.save(pathlib.Path(folder) / "nothing" / "small.vtp")
             double = bonedecimate.decimate(result.points.astype(np.float64) + 1e-9, result.triangles)
             with self.assertRaisesRegex(ValueError, "single precision"):
                 double.save(pathlib.Path(folder) / "small.stl")

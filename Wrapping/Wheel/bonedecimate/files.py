@@ -37,6 +37,8 @@ def has(module: str) -> bool:
 @contextlib.contextmanager
 def whole(path: pathlib.Path):
     """A temporary file beside the path, which replaces the path when it is complete."""
+    if not path.parent.is_dir():
+        raise FileNotFoundError(f"{path}: the folder does not exist")
     made = path.with_name(f".{path.stem}.{os.getpid()}{path.suffix}")
     try:
         yield made
