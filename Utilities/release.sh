@@ -86,7 +86,7 @@ make_site()
 list_artifacts()
 {
   local product
-  for product in deb wheel wheel-windows page browser; do
+  for product in deb wheel wheel-windows wheel-program page browser; do
     python3 -B Utilities/third_party.py --sbom "$product" "$folder/bonedecimate-$version-$product.cdx.json"
   done
   awk '/^## / { ++sections } sections == 1' CHANGELOG.md > "$folder/NOTES.md"
