@@ -120,6 +120,7 @@ def with_ftetwild(points: Points, corners: Corners, tolerance: float) -> Prepare
     kept: list[Any] = []
 
     def call() -> None:
+        os.chdir(tempfile.gettempdir())  # where it leaves a file
         kept.append(pytetwild.tetrahedralize(points.astype(np.float64), corners, epsilon=tolerance / diagonal, coarsen=True,
                                              num_threads=1, quiet=True))
 
