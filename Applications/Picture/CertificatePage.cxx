@@ -153,7 +153,10 @@ std::string ComposeCertificatePage(
   const std::string map = EscapedXml(PlainText(report.Text("files.label_map")));
   const std::string picture = pictureFile.empty() ? std::string() : EmbeddedPicture(pictureFile);
   const std::vector<FarPoint> points = FarthestOfPair(pair);
-  const ViewerHtml viewer = PairViewer(pair, points, picture.size());
+  PairSubject shown = pair;
+  shown.Names = { "Reference", "Result" };
+  shown.Threshold = report.Number("tolerance").value_or(0.0);
+  const ViewerHtml viewer = PairViewer(shown, points, picture.size());
   return PageBlock("certificate",
     { { "head", PageBlock("head", { { "title", "Certificate of a bone surface: " + name } }) },
       { "name", name }, { "reference", reference.empty() ? "none" : reference },

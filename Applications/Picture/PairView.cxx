@@ -32,6 +32,8 @@ ViewerHtml PairViewer(
   viewer.Levels = { { subject.Result, subject.ResultDistanceArrayName, "" } };
   viewer.Reduce = subject.Reduce;
   viewer.Frame = subject.Frame;
+  viewer.Threshold = subject.Threshold;
+  viewer.Names = subject.Names;
   viewer.Farthest = points;
   viewer.MostBytes = BytesOfViewer(bytesOfPicture);
   return ComposeViewer(viewer);

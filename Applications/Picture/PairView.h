@@ -26,8 +26,10 @@ struct PairSubject
   vtkSmartPointer<vtkPolyData> Before; ///< May be null.
   std::string DistanceArrayName;       ///< On Before, mm, of each point.
   std::string ResultDistanceArrayName; ///< On Result, mm, of each point.
-  SurfaceReducer Reduce; ///< For the interactive view of surfaces that are too large for a page.
-  std::string Frame;     ///< Axes of the coordinates, "LPS" or "RAS"; empty: not known.
+  SurfaceReducer Reduce;  ///< For the interactive view of surfaces that are too large for a page.
+  std::string Frame;      ///< Axes of the coordinates, "LPS" or "RAS"; empty: not known.
+  double Threshold = 0.0; ///< As that of ViewerSubject.
+  std::array<std::string, 2> Names{ "Before", "After" }; ///< What the view calls the two.
 };
 
 /// Empty without both surfaces.

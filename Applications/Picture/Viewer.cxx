@@ -180,7 +180,7 @@ private:
     carried.Whole = surface == whole.Surface ? carried.Triangles
                                              : MergedTriangles(whole.Surface)->GetNumberOfPolys();
     const std::string count = GroupedText(static_cast<double>(carried.Triangles));
-    carried.Caption = (&whole == &this->Subject.Before ? "Before: " : "After: ") + count +
+    carried.Caption = this->Subject.Names[&whole == &this->Subject.Before ? 0 : 1] + ": " + count +
       (carried.Triangles == carried.Whole
           ? std::string()
           : " of " + GroupedText(static_cast<double>(carried.Whole))) +
@@ -259,8 +259,10 @@ private:
         std::lround(ColorDigits * color[2]) });
     }
     const double largest = std::min(this->Distances.Largest, this->Distances.Range);
-    const double threshold = (Colors - 1) * FirstThreshold * largest / this->Distances.Range;
-    return { { "range", this->Distances.Range }, { "threshold", static_cast<int>(threshold) },
+    const double threshold =
+      this->Subject.Threshold > 0.0 ? this->Subject.Threshold : FirstThreshold * largest;
+    const double step = (Colors - 1) * std::min(1.0, threshold / this->Distances.Range);
+    return { { "range", this->Distances.Range }, { "threshold", static_cast<int>(step) },
       { "colors", colors } };
   }
 

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -36,7 +37,9 @@ struct ViewerSubject
   ViewerSurface Before;
   /// At least one, from coarse to fine. Labels are those of the last.
   std::vector<ViewerSurface> Levels;
-  double Threshold = 0.0;         ///< mm; smaller distances have no color at first.
+  /// mm; smaller distances have no color at first. 0: four fifths of the largest one.
+  double Threshold = 0.0;
+  std::array<std::string, 2> Names{ "Before", "After" }; ///< Of Before and of the levels.
   std::vector<FarPoint> Farthest; ///< To jump to, while the last level is shown; may be empty.
   std::string Frame;              ///< "LPS" or "RAS"; empty: the axes are x, y and z.
   std::string Legend = "distance to the other surface, mm"; ///< Title of the color scale.

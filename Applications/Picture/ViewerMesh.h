@@ -33,7 +33,7 @@ struct QuantizedDistances
 {
   std::string ArrayName; ///< Point array of distances, mm; empty: the surface has none.
   double Range = 1.0;    ///< Where the colors end, mm.
-  double Largest = 0.0;  ///< Of all surfaces, mm.
+  double Largest = 0.0;  ///< mm, among all surfaces.
 };
 
 struct EncodedPiece

@@ -97,6 +97,7 @@ class Certify(ApplicationTest):
         for words in ("Intersecting pairs of triangles", "Where the two surfaces are farthest apart", "&plusmn;", "@media print"):
             self.assertIn(words, page)
         self.assertTrue("<script type=\"application/octet-stream\"" in page or "viewer-stage" not in page)
+        self.assertTrue("\"caption\":\"Reference: " in page or "viewer-stage" not in page)
 
     def test_takes_a_tolerance_for_each_point(self):
         write(with_tolerance(square(0.0), 0.3), self.path("a.vtp"))

@@ -180,7 +180,7 @@ class StoppedCertificate(ApplicationTest):
             page = self.path("c.html").read_text(encoding="utf-8")
             self.assertIn("The comparison was stopped: bounds proved so far.", page)
             self.assertTrue(page.endswith("</html>\n"))
-            self.assertEqual(self.names(), ["after", "before", "c.html", "c.json"])
+            self.assertEqual([name for name in self.names() if "/" not in name], ["after", "before", "c.html", "c.json"])
 
     def test_of_folders_the_other_pairs_are_listed(self):
         process, _ = self.start("before", "after", "--json", "c.json")

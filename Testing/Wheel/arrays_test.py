@@ -306,17 +306,6 @@ class Running(unittest.TestCase):
         self.assertEqual(result.stop_reason, StopReason.Aborted)
         self.assertLess(result.triangles.max(), len(result.points))
 
-    def test_false_ends_a_comparison_with_the_bounds_proved_until_then(self):
-        result = decimate(POINTS, TRIANGLES, max_error=0.2)
-        whole = certify((POINTS, TRIANGLES), result, tolerance=100.0)
-        self.assertFalse(whole.stopped)
-        for end in (0.0, 0.3, 0.6, 0.9):
-            stopped = certify((POINTS, TRIANGLES), result, tolerance=100.0, progress=lambda fraction: fraction < end)
-            self.assertEqual((stopped.stopped, stopped.status), (True, "proved"))
-            self.assertLessEqual(stopped.lower, whole.upper)
-            self.assertGreaterEqual(stopped.upper, whole.lower)
-            self.assertEqual(stopped.report["stopped"], "stopped: bounds proved so far")
-
     def test_what_the_progress_function_raises_comes_out(self):
         with self.assertRaises(ZeroDivisionError):
             decimate(POINTS, TRIANGLES, progress=lambda fraction: 1 / 0)

@@ -33,6 +33,19 @@ class Results(unittest.TestCase):
         made.points *= 1.01
         self.assertNotIn("proof.status", made.bone.report)
 
+    def test_of_a_stopped_comparison_are_the_bounds_proved_until_then(self):
+        mesh = pyvista_test.bone()
+        original = np.asarray(mesh.points), mesh.regular_faces
+        pair = original, bonedecimate.decimate(*original, max_error=0.5)
+        whole = bonedecimate.certify(*pair, tolerance=1000.0)
+        self.assertFalse(whole.stopped)
+        for end in (0.0, 0.3, 0.6, 0.9):
+            stopped = bonedecimate.certify(*pair, tolerance=1000.0, progress=lambda fraction, end=end: fraction < end)
+            self.assertEqual((stopped.stopped, stopped.status), (True, "proved"))
+            self.assertLessEqual(stopped.lower, whole.upper)
+            self.assertGreaterEqual(stopped.upper, whole.lower)
+            self.assertEqual(stopped.report["stopped"], "stopped: bounds proved so far")
+
     def test_keep_the_label_map(self):
         found = bonedecimate.extract_surfaces(pyvista_test.LabelMaps.image())
         small = bonedecimate.decimate(found, target_reduction=0.5)

@@ -17,7 +17,7 @@ struct ComparedFigures
 {
   /// After equal points are merged and triangles without area are left out.
   SurfaceStatistics Surface;
-  std::int64_t IntersectingPairs = 0; ///< Of its triangles.
+  std::int64_t IntersectingPairs = 0; ///< Pairs of its triangles.
 };
 }
 

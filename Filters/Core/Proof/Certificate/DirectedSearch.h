@@ -9,8 +9,8 @@
  *     FindValues         from here on its whole simplices
  *     FindDistance       within the gap, or as far as it gets
  *
- * What is proved after any of these steps, and at any moment of the last one, is in Bounds() if there
- * is a listener, and in Found() after an abort.
+ * What is proved after any of these steps, and at any moment of the last one, is in Bounds() if
+ * there is a listener, and in Found() after an abort.
  */
 #ifndef BoneDecimate_Core_Proof_Certificate_DirectedSearch_h
 #define BoneDecimate_Core_Proof_Certificate_DirectedSearch_h

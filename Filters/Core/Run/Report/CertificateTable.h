@@ -20,7 +20,7 @@ namespace bonedecimate
 /// What is known besides the certificate.
 struct PairFigures
 {
-  std::vector<bonedecimate::LeftOut> LeftOut; ///< Of both surfaces.
+  std::vector<bonedecimate::LeftOut> LeftOut; ///< From both surfaces.
   std::optional<ComparedFigures> Reference;
   std::optional<ComparedFigures> Result;
 };
