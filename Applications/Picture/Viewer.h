@@ -39,7 +39,8 @@ struct ViewerSubject
   std::vector<ViewerSurface> Levels;
   /// mm; smaller distances have no color at first. 0: four fifths of the largest one.
   double Threshold = 0.0;
-  std::array<std::string, 2> Names{ "Before", "After" }; ///< Of Before and of the levels.
+  std::array<std::string, 2> Names{ "Before",
+    "After" };                    ///< What captions call Before and the levels.
   std::vector<FarPoint> Farthest; ///< To jump to, while the last level is shown; may be empty.
   std::string Frame;              ///< "LPS" or "RAS"; empty: the axes are x, y and z.
   std::string Legend = "distance to the other surface, mm"; ///< Title of the color scale.
