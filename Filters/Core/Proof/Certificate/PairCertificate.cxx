@@ -66,7 +66,6 @@ PairSearch::PairSearch(const Simplices& reference, const Simplices& result,
   const std::vector<double>& limit, const PairTask& task, BoundsListener listener)
   : Reference(reference)
   , Limit(limit)
-  , Task(task)
   , Listener(std::move(listener))
 {
   const std::function<void()> tell =

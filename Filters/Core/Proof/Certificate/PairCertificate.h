@@ -58,7 +58,6 @@ private:
 
   const Simplices& Reference;
   const std::vector<double>& Limit;
-  const PairTask& Task;
   BoundsListener Listener;
   double ToldLower = -1.0;                                    // mm
   double ToldUpper = std::numeric_limits<double>::infinity(); // mm
