@@ -301,6 +301,10 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
       one.Surface, this->NumberOfThreads, bonedecimate::PartOf(monitor, certified, 0.9));
     figures.Result = bonedecimate::DescribeCompared(
       two.Surface, this->NumberOfThreads, bonedecimate::PartOf(monitor, 0.9, 1.0));
+    if (!monitor(1.0))
+    {
+      certificate.Status = bonedecimate::CertificateStatus::Aborted;
+    }
   }
   this->Internal->Take(bonedecimate::CertificateEntries(certificate, figures));
   return this->Accept(static_cast<int>(certificate.Status));

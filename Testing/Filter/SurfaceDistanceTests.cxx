@@ -239,6 +239,17 @@ TEST(SurfaceDistanceFilter, DescribesBothSurfacesOnRequest)
   EXPECT_TRUE(std::is_sorted(run.Progress.begin(), run.Progress.end()));
 }
 
+TEST(SurfaceDistanceFilter, AbortedWhileItDescribesSurfacesWasStopped)
+{
+  DistanceRun run(Bumps(5), Sphere(4));
+  run->MeasureSurfacesOn();
+  run.AbortAt = 0.9;
+  run->Update();
+  EXPECT_TRUE(run->GetWasStopped());
+  EXPECT_TRUE(std::isnan(run->GetReportValue("result.triangles")));
+  EXPECT_NEAR(run->GetUpperBound(), run->GetLowerBound(), 1e-5);
+}
+
 TEST(SurfaceDistanceFilter, RejectsWhatIsNoSurface)
 {
   bonedecimate::Surface broken = Grid(3);
