@@ -191,5 +191,6 @@ def kept_by_program(records: Sequence[Record]) -> str:
 
 def readme_section(records: Sequence[Record]) -> str:
     """The table with a sentence before it."""
-    return (f"Programs with a setting for the largest distance, at {', '.join(names(records, 'tolerance_mm'))} mm on {len(names(records, 'bone'))} bones "
+    runs = len({(record["bone"], record["tolerance_mm"]) for record in records})
+    return (f"Programs with a setting for the largest distance: {runs} runs at {', '.join(names(records, 'tolerance_mm'))} mm on {len(names(records, 'bone'))} bones "
             "([all figures](Documentation/results/audit.md),\n`Testing/Benchmark/audit.sh`):\n\n" + kept_by_program(records))
