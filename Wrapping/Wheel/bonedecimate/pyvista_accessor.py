@@ -98,6 +98,7 @@ class BoneAccessor:
     @takes_options()
     def decimate(
         self,
+        target_reduction: float | None = None,
         *,
         tolerances: ArrayLike | None = None,
         labels: str | ArrayLike | None = None,
@@ -112,8 +113,12 @@ class BoneAccessor:
     ) -> pv.PolyData | tuple[pv.PolyData, pv.PolyData]:
         """A smaller surface with the arrays of this one, its distance to it, and the report as field data. Repairs are warnings.
 
+        >>> small = mesh.bone.decimate(0.9)
+
         Parameters
         ----------
+        target_reduction : float, optional
+            Part of the triangles to remove, as of `pyvista.PolyDataFilters.decimate`; None: as ``max_error`` or another target says.
         tolerances : (n_points,) array of float, mm, optional
             How far the surface may move at each point: 0 keeps it unchanged, negative is no limit of its own. The result has them as
             the point array Tolerances. An array that the mesh has is named by ``tolerance_array`` instead.
@@ -139,6 +144,8 @@ class BoneAccessor:
         if isinstance(labels, str):
             options = {**options, "labels": labels}
             labels = None
+        if target_reduction is not None:
+            options = {**options, "target_reduction": target_reduction}
         values = read(options, BoneAccessor.decimate, profile)
         mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels, edge_lengths), label_map, boundary_labels)
         has_input = switch("with_input", with_input)
