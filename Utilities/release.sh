@@ -44,7 +44,7 @@ make_wheel()
 {
   build_program
   Utilities/build_wheel.sh --portable "$folder"
-  python3 -B Testing/Wheel/check_program.py "$folder"/bonedecimate-"$version"-*manylinux*x86_64.whl
+  /usr/bin/python3 -B Testing/Wheel/check_program.py "$folder"/bonedecimate-"$version"-*manylinux*x86_64.whl
 }
 
 make_arm64()
