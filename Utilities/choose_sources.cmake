@@ -1,6 +1,8 @@
-# Of VTK and GDCM, what the program without pictures needs (Utilities/build_libraries.sh). Modules that others name are there, most of them without
+# Of VTK, GDCM and ITK, what the program without pictures needs (Utilities/build_libraries.sh). Modules that others name are there, most of them without
 # their classes. Sources are compiled together, except those that do not compile so. Included by project() of these libraries.
-set(CMAKE_UNITY_BUILD ON)
+if (NOT PROJECT_NAME STREQUAL "ITK") # most of its libraries do not compile so
+  set(CMAKE_UNITY_BUILD ON)
+endif ()
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
 file(WRITE "${CMAKE_BINARY_DIR}/empty.cxx" "")
 
@@ -49,6 +51,15 @@ function (choose_sources_of_GDCM)
   endforeach ()
   compile_alone(gdcmDSED "strict")
   compile_alone(gdcmMSFF "JPEG|Scanner|Segmented|[.]c$")
+endfunction ()
+
+# Readers of images need matrices of common numbers and their inverses.
+function (choose_sources_of_ITK)
+  set_target_properties(ITKCommon PROPERTIES UNITY_BUILD ON)
+  keep(itkvnl_algo "vnl_determinant|vnl_(determinant|matrix_inverse|qr|svd|symmetric_eigensystem)[+](double|float)-")
+  set(matrices "c_vector|complex_ops|diag_matrix|fortran_copy|matlab_print|matrix|matrix_fixed|vector|vector_fixed|vector_ref")
+  set(numbers "(complex[_+])?(alltypes|char|double|float|int|long|longlong|schar|slonglong|sshort|uchar|uint|ulong|ulonglong|ushort)")
+  keep(itkvnl "vnl_(alloc|error|math|matlab_print_format|matlab_print_scalar|numeric_traits|(${matrices})[+]${numbers}(_complex)?([.]allsizes)?-*)")
 endfunction ()
 
 cmake_language(DEFER CALL "choose_sources_of_${PROJECT_NAME}")
