@@ -28,6 +28,8 @@ class Commands(ApplicationTest):
             text = self.succeed(command, "--help").stdout
             self.assertIn(f"Usage: bonedecimate {command} ", text)
             self.assertIn("Exit codes:", text)
+            entries = re.findall(r"(?m)^  (--[a-z,-]+) ", text)
+            self.assertEqual(sorted(set(entries)), sorted(entries))  # each once
             self.fail_with(USAGE, command, "--what", says=f"see bonedecimate {command} -h")
 
     def test_short_help_fits_one_screen_and_names_every_option(self):

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -108,10 +109,11 @@ std::string OptionSections(const CLI::App& command)
 std::string OptionEntries(const CLI::App& command, const std::vector<std::string>& flags)
 {
   std::string entries;
+  std::set<const CLI::Option*> listed; // some have two of the names
   for (const std::string& flag : flags)
   {
     const CLI::Option* const option = command.get_option_no_throw("--" + flag);
-    if (option != nullptr && !option->get_group().empty())
+    if (option != nullptr && !option->get_group().empty() && listed.insert(option).second)
     {
       entries += EntryOf(*option);
     }
