@@ -295,16 +295,10 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   bonedecimate::PairFigures figures;
   figures.LeftOut = bonedecimate::LeftOutOfPair(
     one.LeftOut, one.Surface, two.LeftOut, two.Surface, this->NumberOfThreads);
-  if (this->MeasureSurfaces && certificate.Status == bonedecimate::CertificateStatus::Good)
+  if (this->MeasureSurfaces)
   {
-    figures.Reference = bonedecimate::DescribeCompared(
-      one.Surface, this->NumberOfThreads, bonedecimate::PartOf(monitor, certified, 0.9));
-    figures.Result = bonedecimate::DescribeCompared(
-      two.Surface, this->NumberOfThreads, bonedecimate::PartOf(monitor, 0.9, 1.0));
-    if (!monitor(1.0))
-    {
-      certificate.Status = bonedecimate::CertificateStatus::Aborted;
-    }
+    bonedecimate::DescribePair(one.Surface, two.Surface, this->NumberOfThreads,
+      bonedecimate::PartOf(monitor, certified, 1.0), certificate, figures);
   }
   this->Internal->Take(bonedecimate::CertificateEntries(certificate, figures));
   return this->Accept(static_cast<int>(certificate.Status));

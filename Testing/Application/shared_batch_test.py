@@ -144,6 +144,9 @@ class SharedBatch(ApplicationTest):
         self.assertEqual((rows["a"]["status"], rows["a"]["exit_code"], rows["b"]["status"]), ("failed", str(NO_MEMORY), "done"))
         self.assertIn("needed more than the 256 MiB of --memory-limit", rows["a"]["message"])
         self.assertFalse(self.path("out/a.stl").exists())
+        self.path("out/notes.log").write_text("of something else\n")
+        self.succeed("summary", "out")
+        self.assertEqual({row["name"]: row for row in self.rows()}, rows)
 
     def test_a_failed_input_leaves_all_that_it_said(self):
         self.path("mixed").mkdir()
@@ -151,8 +154,11 @@ class SharedBatch(ApplicationTest):
         write(sphere(), self.path("mixed/good.stl"))
         alone = self.run_program("mixed/bad.obj", "alone.obj", *REDUCED)
         self.assertEqual(self.run_program("mixed", "out", *REDUCED).returncode, REJECTED)
-        self.assertEqual(self.path("out/bad.log").read_text(), alone.stderr)
+        self.assertEqual(self.path("out/bad.log").read_text(), f"{alone.stderr}bad.obj: exit code {REJECTED}\n")
         self.assertFalse(self.path("out/good.log").exists())
+        rows = self.rows()
+        self.succeed("summary", "out")
+        self.assertEqual(self.rows(), rows)  # the failed one, too
         write(sphere(), self.path("mixed/bad.obj"))
         self.succeed("mixed", "out", *REDUCED)
         self.assertFalse(self.path("out/bad.log").exists())

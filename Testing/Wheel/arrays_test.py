@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""numpy in, numpy out: what decimate() and certify() of the wheel guarantee. Needs no VTK."""
+"""numpy in, numpy out: what decimate() of the wheel guarantees. Needs no VTK."""
 
 import json
 import os
@@ -354,40 +354,6 @@ except KeyboardInterrupt:
         program = "import sys, bonedecimate; print([name for name in sys.modules if 'vtk' in name.lower()])"
         done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
         self.assertEqual(done.stdout, "[]\n")
-
-
-class Certify(unittest.TestCase):
-    def test_bounds_the_distance_of_concentric_balls(self):
-        certificate = certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES), tolerance=1.2)
-        self.assertLessEqual(certificate.lower, 1.0 + 1e-9)
-        self.assertAlmostEqual(certificate.upper, 1.0, delta=0.02)
-        self.assertEqual(certificate.status, "proved")
-        self.assertEqual(certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES), tolerance=0.9).status, "violated")
-
-    def test_signs_distances(self):
-        certificate = certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES))
-        self.assertTrue((certificate.reference_distance < -0.9).all())
-        self.assertTrue((certificate.result_distance > 0.9).all())
-        self.assertEqual((certificate.reference_side.max(), certificate.result_side.min()), (-1, 1))
-
-    def test_agrees_with_the_proof_of_the_run(self):
-        result = decimate(POINTS, TRIANGLES, max_error=0.2)
-        certificate = certify((POINTS, TRIANGLES), result)
-        self.assertLessEqual(certificate.lower, result.report["proof.upper"])
-        self.assertLessEqual(certificate.upper, 0.2)
-
-    def test_tolerances_of_points(self):
-        shifted = POINTS + np.where(POINTS[:, 2:] > 5, [[0, 0, 0.5]], 0)
-        loose = np.where(POINTS[:, 2] > 0, 0.6, 0.1)
-        self.assertEqual(certify((POINTS, TRIANGLES), (shifted, TRIANGLES), tolerances=loose).status, "proved")
-        self.assertEqual(certify((POINTS, TRIANGLES), (shifted, TRIANGLES), tolerances=0.1 + 0 * loose).status, "violated")
-
-    def test_rejects_what_cannot_be_compared(self):
-        for other in ((POINTS, TRIANGLES[:0]), (POINTS * np.nan, TRIANGLES), (POINTS, TRIANGLES + 9999)):
-            with self.assertRaises(ValueError):
-                certify((POINTS, TRIANGLES), other)
-        with self.assertRaises(ValueError):
-            certify((POINTS, TRIANGLES), (POINTS, TRIANGLES), tolerance=-1.0)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include "Bindings.h"
 #include "Listener.h"
 #include "Proof/Certificate/Certificate.h"
+#include "Run/Output/ComparedSurface.h"
 #include "Run/Output/ListLeftOut.h"
 #include "Run/Report/CertificateTable.h"
 #include "Run/Report/ReportJson.h"
@@ -36,17 +37,29 @@ nb::dict ToDict(Certificate&& certificate, const PairFigures& pair)
 
 nb::dict RunCertificate(const PointsIn& referencePoints, const TrianglesIn& referenceTriangles,
   const PointsIn& points, const TrianglesIn& triangles, const CertificateOptions& options,
-  nb::object progress, const LeftOutIn& leftOutOfReference, const LeftOutIn& leftOutOfResult)
+  bool surfaces, nb::object progress, const LeftOutIn& leftOutOfReference,
+  const LeftOutIn& leftOutOfResult)
 {
   const Surface reference = ToSurface(referencePoints, referenceTriangles);
   const Surface result = ToSurface(points, triangles);
+  PairFigures figures;
+  figures.LeftOut = LeftOutOfPair(ToLeftOut(leftOutOfReference), reference,
+    ToLeftOut(leftOutOfResult), result, options.NumberOfThreads);
+  const double certified = surfaces ? 0.8 : 1.0;
   Certificate certificate =
     Listener(std::move(progress))
-      .Hear([&](const Monitor& monitor) { return Certify(reference, result, options, monitor); });
-  return ToDict(std::move(certificate),
-    { LeftOutOfPair(ToLeftOut(leftOutOfReference), reference, ToLeftOut(leftOutOfResult), result,
-        options.NumberOfThreads),
-      {}, {} });
+      .Hear(
+        [&](const Monitor& monitor)
+        {
+          Certificate found = Certify(reference, result, options, PartOf(monitor, 0.0, certified));
+          if (surfaces)
+          {
+            DescribePair(reference, result, options.NumberOfThreads,
+              PartOf(monitor, certified, 1.0), found, figures);
+          }
+          return found;
+        });
+  return ToDict(std::move(certificate), figures);
 }
 }
 
@@ -78,7 +91,7 @@ void BindCertify(nb::module_& module)
     .def_rw("threads", &CertificateOptions::NumberOfThreads);
   module.def("certify", &RunCertificate, nb::arg("reference_points"),
     nb::arg("reference_triangles"), nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
-    nb::arg("progress").none(), nb::arg("left_out_of_reference") = LeftOutIn(),
+    nb::arg("surfaces"), nb::arg("progress").none(), nb::arg("left_out_of_reference") = LeftOutIn(),
     nb::arg("left_out_of_result") = LeftOutIn(), "Proved bounds of the distance of two surfaces.");
 }
 }

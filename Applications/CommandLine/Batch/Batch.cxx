@@ -6,6 +6,7 @@
 #include "BatchPlan.h"
 #include "BatchTable.h"
 #include "BoneVolume.h"
+#include "FailureLog.h"
 #include "FilePath.h"
 #include "Files/FileNames.h"
 #include "Files/StagedFile.h"
@@ -253,12 +254,16 @@ private:
     }
     if (!job.Excess.empty() && code == ExitCode::Interrupted)
     {
-      return this->EndOwn(job.Bone, "failed", job.CodeOfExcess, job.Excess + ", and was stopped");
+      const std::string excess = job.Excess + ", and was stopped";
+      return this->EndFailed(job, job.CodeOfExcess, excess, excess);
     }
-    const bool stopped = code == ExitCode::Interrupted;
-    const bool failed = code != ExitCode::Done && !stopped;
-    this->EndOwn(job.Bone, failed ? "failed" : (stopped ? "interrupted" : "done"), code,
-      failed ? this->WriteLog(job) : job.Child.GetMessage());
+    const std::string message = job.Child.GetMessage();
+    if (code != ExitCode::Done && code != ExitCode::Interrupted)
+    {
+      const std::string printed = job.Child.GetErrors();
+      return this->EndFailed(job, code, printed.empty() ? message : printed, message);
+    }
+    this->EndOwn(job.Bone, code == ExitCode::Done ? "done" : "interrupted", code, message);
   }
 
   std::string LogOf(std::size_t bone) const
@@ -266,20 +271,19 @@ private:
     return this->Requested.Output + "/" + this->Bones[bone].Name + ".log";
   }
 
-  /// Writes all that an input said before it failed.
-  /// @return The first line of that, and why the log could not be written if so.
-  std::string WriteLog(const BatchJob& job) const
+  /// Writes a log of an input that failed, and its row, which says if the log could not be written.
+  void EndFailed(
+    const BatchJob& job, ExitCode code, const std::string& printed, std::string message)
   {
-    const std::string message = job.Child.GetMessage();
     try
     {
-      WriteTextFile(this->LogOf(job.Bone), job.Child.GetErrors());
-      return message;
+      WriteFailureLog(this->LogOf(job.Bone), printed, this->Rows[job.Bone].Input, code);
     }
     catch (const Failure& failure)
     {
-      return message + "; its log: " + failure.what();
+      message += std::string("; its log: ") + failure.what();
     }
+    this->EndOwn(job.Bone, "failed", code, message);
   }
 
   /// What became of an input that was at work in this batch.

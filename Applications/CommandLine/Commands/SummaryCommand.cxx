@@ -5,6 +5,7 @@
 #include "Arguments/CommonOptions.h"
 #include "Arguments/HelpFormatter.h"
 #include "Batch/BatchTable.h"
+#include "Batch/FailureLog.h"
 #include "CommandLine.h"
 #include "ExitCode.h"
 #include "FilePath.h"
@@ -18,6 +19,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,21 @@ std::string NameOfReport(const fs::path& file, const fs::path& root)
   return (isOfFolder ? below.parent_path() : fs::path(below).replace_extension()).generic_string();
 }
 
+/// What a failed input left, unless a report of that name is there.
+std::optional<BatchRow> FailedRow(const fs::path& log, const fs::path& root)
+{
+  const fs::path base = fs::path(log).replace_extension();
+  std::error_code ignored;
+  const bool isDone =
+    fs::exists(fs::path(base) += ".json", ignored) || fs::exists(base / "report.json", ignored);
+  std::optional<BatchRow> row = isDone ? std::nullopt : ReadFailureLog(log.string());
+  if (row)
+  {
+    row->Name = base.lexically_relative(root).generic_string();
+  }
+  return row;
+}
+
 void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>& rows)
 {
   std::error_code error;
@@ -62,6 +79,11 @@ void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>
     if (!isHidden && fs::is_directory(path, ignored) && !fs::is_symlink(path, ignored))
     {
       AddRows(path, root, rows);
+    }
+    if (std::optional<BatchRow> failed =
+          !isHidden && path.extension() == ".log" ? FailedRow(path, root) : std::nullopt)
+    {
+      rows.push_back(std::move(*failed));
     }
     const std::string input =
       !isHidden && path.extension() == ".json" ? InputOfReport(path) : std::string();
@@ -114,8 +136,8 @@ void AddSummaryCommand(CLI::App& program)
 {
   const auto arguments = std::make_shared<SummaryArguments>();
   CLI::App& command = AddCommand(program, "summary", { "FOLDER [OPTIONS]" },
-    "Writes summary.csv of a folder of results from the reports in it, whatever batches wrote "
-    "them.");
+    "Writes summary.csv of a folder of results from the reports in it and the logs of failed "
+    "inputs, whatever batches wrote them.");
   command.add_option("FOLDER", arguments->Folder, WrappedHelp("The output folder of batches."))
     ->type_name("")
     ->required();

@@ -172,6 +172,7 @@ def certify(
     boundaries: bool = True,
     means: bool = True,
     mean_precision: float = 5e-3,
+    surfaces: bool = False,
     threads: int = 0,
     progress: bool | Progress | None = None,
 ) -> Certificate:
@@ -192,6 +193,8 @@ def certify(
         upper one, 1e-12 to 1.
     boundaries, means : bool
         Compare open boundaries curve to curve; estimate average and root mean square to the ratio `mean_precision`, 1e-4 to 1.
+    surfaces : bool
+        The report also has the triangles, components, boundary edges, area, volume and intersecting pairs of triangles of each.
     threads, progress
         As `decimate` takes them.
 
@@ -209,9 +212,10 @@ def certify(
     options = _with_tolerances(tolerance, tolerances, len(first.points), thread_count(threads))
     options.with_boundaries, options.relative_gap = switch("boundaries", boundaries), number("relative_gap", relative_gap, 1e-12, 1)
     _set_precision(options, tight_bounds, tolerance is not None or tolerances is not None, means, mean_precision)
+    has_figures = switch("surfaces", surfaces)
     voxels = None if label_map is None else Comparison(second, label_map).changes(options.threads)
     with listener(progress) as heard:
-        outcome = _core.certify(*first[:2], *second[:2], options, heard, list(first.left_out), list(second.left_out))
+        outcome = _core.certify(*first[:2], *second[:2], options, has_figures, heard, list(first.left_out), list(second.left_out))
     _raise_comparison_problems(outcome)
     return Certificate(outcome, voxels)
 

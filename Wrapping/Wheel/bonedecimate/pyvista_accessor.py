@@ -88,6 +88,12 @@ def _has_keywords_of(function: Callable):
     return decorate
 
 
+def _measured_input(outcome: dict, values: _core.Options, mesh: pv.PolyData) -> pv.PolyData:
+    copy = pv.PolyData()
+    fill_input_copy(outcome, values, mesh, copy)
+    return copy
+
+
 @pv.register_dataset_accessor("bone", pv.PolyData)
 class BoneAccessor:
     """A bone surface, mm: triangles, strips or polygons."""
@@ -113,12 +119,10 @@ class BoneAccessor:
     ) -> pv.PolyData | tuple[pv.PolyData, pv.PolyData]:
         """A smaller surface with the arrays of this one, its distance to it, and the report as field data. Repairs are warnings.
 
-        >>> small = mesh.bone.decimate(0.9)
-
         Parameters
         ----------
         target_reduction : float, optional
-            Part of the triangles to remove, as of `pyvista.PolyDataFilters.decimate`; None: as ``max_error`` or another target says.
+            Part of the triangles to remove, as of PyVista's own ``decimate``; None: as ``max_error`` or another target says.
         tolerances : (n_points,) array of float, mm, optional
             How far the surface may move at each point: 0 keeps it unchanged, negative is no limit of its own. The result has them as
             the point array Tolerances. An array that the mesh has is named by ``tolerance_array`` instead.
@@ -146,11 +150,10 @@ class BoneAccessor:
             labels = None
         if target_reduction is not None:
             options = {**options, "target_reduction": target_reduction}
-        values = read(options, BoneAccessor.decimate, profile)
-        mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels, edge_lengths), label_map, boundary_labels)
-        has_input = switch("with_input", with_input)
+        values, has_input = read(options, BoneAccessor.decimate, profile), switch("with_input", with_input)
         if values.get("MeasureInputDistances") and not has_input:
             raise ValueError("measure_input_distances is about the points of the input, which with_input=True returns, too")
+        mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels, edge_lengths), label_map, boundary_labels)
         with listener(progress_bar) as heard:
             outcome, surface = run(mesh, values, heard, reference)
         check(outcome, 2)
@@ -158,11 +161,7 @@ class BoneAccessor:
             warn(voxels.differences(values.get("NumberOfThreads")), 2)
         output = pv.PolyData()
         fill_output(outcome, surface, values, mesh, output)
-        if not has_input:
-            return output
-        measured = pv.PolyData()
-        fill_input_copy(outcome, values, mesh, measured)
-        return output, measured
+        return (output, _measured_input(outcome, values, mesh)) if has_input else output
 
     def smooth(self, distance: float | None = None, **options) -> pv.PolyData:
         """The surface without the staircase of a segmentation, as `bonedecimate.smooth`: the same triangles, with the arrays of

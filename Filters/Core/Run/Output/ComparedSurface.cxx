@@ -21,4 +21,20 @@ std::optional<ComparedFigures> DescribeCompared(
   return pairs ? std::optional<ComparedFigures>({ Describe(cleaned.Surface, threads), *pairs })
                : std::nullopt;
 }
+
+//------------------------------------------------------------------------------
+void DescribePair(const Surface& reference, const Surface& result, int threads,
+  const Monitor& monitor, Certificate& certificate, PairFigures& figures)
+{
+  if (certificate.Status != CertificateStatus::Good)
+  {
+    return;
+  }
+  figures.Reference = DescribeCompared(reference, threads, PartOf(monitor, 0.0, 0.5));
+  figures.Result = DescribeCompared(result, threads, PartOf(monitor, 0.5, 1.0));
+  if (monitor && !monitor(1.0))
+  {
+    certificate.Status = CertificateStatus::Aborted;
+  }
+}
 }
