@@ -58,12 +58,6 @@ print(pyvista.Sphere().bone.decimate(target_triangles=200).n_cells)
         np.testing.assert_allclose(small["density"], small.points[:, 2], atol=0.3)
         self.assertEqual(mesh.bone.report, {})
 
-    def test_takes_the_reduction_as_pyvista_does(self):
-        mesh = bone()
-        np.testing.assert_array_equal(mesh.bone.decimate(0.75).points, mesh.bone.decimate(target_reduction=0.75).points)
-        with self.assertRaisesRegex(ValueError, "target_reduction"):
-            mesh.bone.decimate(200)
-
     def test_raises_what_a_python_user_expects(self):
         with self.assertRaises(TypeError):
             bone().bone.decimate(error=0.2)

@@ -88,12 +88,6 @@ def _has_keywords_of(function: Callable):
     return decorate
 
 
-def _measured_input(outcome: dict, values: _core.Options, mesh: pv.PolyData) -> pv.PolyData:
-    copy = pv.PolyData()
-    fill_input_copy(outcome, values, mesh, copy)
-    return copy
-
-
 @pv.register_dataset_accessor("bone", pv.PolyData)
 class BoneAccessor:
     """A bone surface, mm: triangles, strips or polygons."""
@@ -104,7 +98,6 @@ class BoneAccessor:
     @takes_options()
     def decimate(
         self,
-        target_reduction: float | None = None,
         *,
         tolerances: ArrayLike | None = None,
         labels: str | ArrayLike | None = None,
@@ -121,8 +114,6 @@ class BoneAccessor:
 
         Parameters
         ----------
-        target_reduction : float, optional
-            Part of the triangles to remove, as of PyVista's own ``decimate``; None: as ``max_error`` or another target says.
         tolerances : (n_points,) array of float, mm, optional
             How far the surface may move at each point: 0 keeps it unchanged, negative is no limit of its own. The result has them as
             the point array Tolerances. An array that the mesh has is named by ``tolerance_array`` instead.
@@ -148,12 +139,11 @@ class BoneAccessor:
         if isinstance(labels, str):
             options = {**options, "labels": labels}
             labels = None
-        if target_reduction is not None:
-            options = {**options, "target_reduction": target_reduction}
-        values, has_input = read(options, BoneAccessor.decimate, profile), switch("with_input", with_input)
+        values = read(options, BoneAccessor.decimate, profile)
+        mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels, edge_lengths), label_map, boundary_labels)
+        has_input = switch("with_input", with_input)
         if values.get("MeasureInputDistances") and not has_input:
             raise ValueError("measure_input_distances is about the points of the input, which with_input=True returns, too")
-        mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels, edge_lengths), label_map, boundary_labels)
         with listener(progress_bar) as heard:
             outcome, surface = run(mesh, values, heard, reference)
         check(outcome, 2)
@@ -161,7 +151,11 @@ class BoneAccessor:
             warn(voxels.differences(values.get("NumberOfThreads")), 2)
         output = pv.PolyData()
         fill_output(outcome, surface, values, mesh, output)
-        return (output, _measured_input(outcome, values, mesh)) if has_input else output
+        if not has_input:
+            return output
+        measured = pv.PolyData()
+        fill_input_copy(outcome, values, mesh, measured)
+        return output, measured
 
     def smooth(self, distance: float | None = None, **options) -> pv.PolyData:
         """The surface without the staircase of a segmentation, as `bonedecimate.smooth`: the same triangles, with the arrays of

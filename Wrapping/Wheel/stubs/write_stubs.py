@@ -35,7 +35,7 @@ def document(row, indent):
 def keywords():
     text = HEAD + "from typing import Literal, TypedDict\n"
     for name, without in (("ArrayOptions", unsupported("Arrays")), ("SmoothOptions", unsupported("Arrays", "Smooth")), ("LevelOptions", unsupported("Arrays", "RecordedLevels")),
-                          ("MeshOptions", ["labels", "target_reduction"])):
+                          ("MeshOptions", ["labels"])):
         text += f"\nclass {name}(TypedDict, total=False):\n"
         for key, row in options_but(without).items():
             text += f"    {key}: {type_of(row)}\n" + document(row, "    ")
@@ -86,7 +86,7 @@ def function(node):
             node.decorator_list.remove(decorator)
         if called == "takes_options":
             without = options.unsupported(*(kind.value for kind in decorator.args))
-            rows = options_but([*without, *(each.arg for each in node.args.args + node.args.kwonlyargs)])
+            rows = options_but([*without, *(each.arg for each in node.args.kwonlyargs)])
             docstring = options.with_options(docstring, rows)
             add(node.args, {key: (ast.parse(type_of(row), mode="eval").body, ast.Constant(default_of(row)))
                             for key, row in rows.items()})
