@@ -10,8 +10,6 @@ import subprocess
 
 NUMBER = re.compile(r"\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?")
 FILE_NAME = re.compile(r"(?://|#) (\S+)\n")
-# Counts differ a little between versions of the project, because the order of edits does.
-LARGEST_DIFFERENCE = 0.0
 
 
 def blocks_of(page):
@@ -38,10 +36,6 @@ def numbers_of(line):
     return [float(number.replace(",", "")) for number in NUMBER.findall(line)]
 
 
-def is_close(a, b):
-    return a == b or abs(a - b) <= LARGEST_DIFFERENCE * min(abs(a), abs(b))
-
-
 def said_lines(printed, output):
     """For each printed line the line of the output with the same words, in their order; None where there is none."""
     rest = iter(output.splitlines())
@@ -52,7 +46,7 @@ class Runner:
     """Runs the code blocks of a page in a folder, in their order, in one interpreter.
 
     sh and js are run, python is run with the names of the blocks before, and a language of FILES is written to the file that its
-    first line names. A block of the language text lists lines that the block before prints. Of these, numbers may differ by a tenth.
+    first line names. A block of the language text lists lines that the block before prints, with the same numbers.
     """
 
     FILES = ("cpp", "cmake")
@@ -90,6 +84,6 @@ class Runner:
         for printed, said in zip(text.splitlines(), said_lines(text, self.output)):
             if said is None:
                 found.append(f"'{printed}' is not said; the output is\n{self.output}")
-            elif not all(is_close(a, b) for a, b in zip(numbers_of(printed), numbers_of(said))):
+            elif numbers_of(printed) != numbers_of(said):
                 found.append(f"'{printed}' is now '{said}'")
         return found
