@@ -145,6 +145,7 @@ class SharedBatch(ApplicationTest):
         self.assertIn("needed more than the 256 MiB of --memory-limit", rows["a"]["message"])
         self.assertFalse(self.path("out/a.stl").exists())
         self.path("out/notes.log").write_text("of something else\n")
+        self.path("out/long.log").write_bytes(bytes(3_000_000))  # as of recorded edits
         self.succeed("summary", "out")
         self.assertEqual({row["name"]: row for row in self.rows()}, rows)
 

@@ -203,7 +203,7 @@ private:
     }
     catch (const Failure& failure)
     {
-      this->EndOwn(bone, "failed", failure.Code, failure.what());
+      this->EndFailed(bone, failure.Code, failure.what(), failure.what());
     }
   }
 
@@ -255,13 +255,13 @@ private:
     if (!job.Excess.empty() && code == ExitCode::Interrupted)
     {
       const std::string excess = job.Excess + ", and was stopped";
-      return this->EndFailed(job, job.CodeOfExcess, excess, excess);
+      return this->EndFailed(job.Bone, job.CodeOfExcess, excess, excess);
     }
     const std::string message = job.Child.GetMessage();
     if (code != ExitCode::Done && code != ExitCode::Interrupted)
     {
       const std::string printed = job.Child.GetErrors();
-      return this->EndFailed(job, code, printed.empty() ? message : printed, message);
+      return this->EndFailed(job.Bone, code, printed.empty() ? message : printed, message);
     }
     this->EndOwn(job.Bone, code == ExitCode::Done ? "done" : "interrupted", code, message);
   }
@@ -272,18 +272,17 @@ private:
   }
 
   /// Writes a log of an input that failed, and its row, which says if the log could not be written.
-  void EndFailed(
-    const BatchJob& job, ExitCode code, const std::string& printed, std::string message)
+  void EndFailed(std::size_t bone, ExitCode code, const std::string& printed, std::string message)
   {
     try
     {
-      WriteFailureLog(this->LogOf(job.Bone), printed, this->Rows[job.Bone].Input, code);
+      WriteFailureLog(this->LogOf(bone), printed, this->Rows[bone].Input, code);
     }
     catch (const Failure& failure)
     {
       message += std::string("; its log: ") + failure.what();
     }
-    this->EndOwn(job.Bone, "failed", code, message);
+    this->EndOwn(bone, "failed", code, message);
   }
 
   /// What became of an input that was at work in this batch.
