@@ -75,8 +75,6 @@ build lz4 build/cmake -DLZ4_BUILD_CLI=OFF -DLZ4_BUILD_LEGACY_LZ4C=OFF -DBUILD_ST
 build xz-utils . -DCREATE_{XZ,LZMA}_SYMLINKS=OFF
 build expat expat -DEXPAT_BUILD_TOOLS=OFF -DEXPAT_BUILD_EXAMPLES=OFF -DEXPAT_BUILD_TESTS=OFF -DEXPAT_BUILD_DOCS=OFF -DEXPAT_DTD=OFF
 build double-conversion .
-build libjsoncpp . -DJSONCPP_WITH_TESTS=OFF -DJSONCPP_WITH_POST_BUILD_UNITTEST=OFF -DBUILD_OBJECT_LIBS=OFF
-build libpng1.6 . -DPNG_SHARED=OFF -DPNG_TESTS=OFF
 build libjpeg-turbo . -DENABLE_SHARED=OFF -DWITH_SIMD=OFF -DWITH_TURBOJPEG=OFF
 build tiff . -Dtiff-tools=OFF -Dtiff-tests=OFF -Dtiff-contrib=OFF -Dtiff-docs=OFF -Djbig=OFF -Dwebp=OFF -Dzstd=OFF -Dlerc=OFF -Dlzma=OFF -Dcxx=OFF
 
@@ -84,10 +82,10 @@ fetch vtk9
 # Layers around a selection, which the program does not use, need the parallel classes of VTK.
 sed -i 's/if (layers >= 1 && /if (false \&\& /' "$sources/vtk9/Filters/Extraction/vtkSelector.cxx"
 build vtk9 . -DVTK_GROUP_ENABLE_StandAlone=DONT_WANT -DVTK_GROUP_ENABLE_Rendering=DONT_WANT \
-  -DVTK_MODULE_ENABLE_VTK_{CommonCore,CommonDataModel,CommonExecutionModel,FiltersCore,FiltersExtraction,ParallelCore,IOCore,IOGeometry,IOLegacy,IOXML,IOXMLParser}=YES \
+  -DVTK_MODULE_ENABLE_VTK_{CommonCore,CommonDataModel,CommonExecutionModel,FiltersCore,FiltersExtraction,ParallelCore,IOCore,IOLegacy,IOXML,IOXMLParser}=YES \
   -DVTK_ENABLE_LOGGING=OFF -DVTK_ENABLE_WRAPPING=OFF -DVTK_ENABLE_REMOTE_MODULES=OFF -DVTK_BUILD_TESTING=OFF -DVTK_LEGACY_REMOVE=ON \
   -DCMAKE_PROJECT_VTK_INCLUDE="$PWD/Utilities/choose_sources.cmake" \
-  -DVTK_MODULE_USE_EXTERNAL_VTK_{zlib,lz4,lzma,expat,doubleconversion,jsoncpp,png,jpeg,tiff,utf8,eigen}=ON
+  -DVTK_MODULE_USE_EXTERNAL_VTK_{zlib,lz4,lzma,expat,doubleconversion,utf8,eigen}=ON
 
 fetch gdcm
 sed -i 's/^#ifndef _MSC_VER$/#ifndef _WIN32/' "$sources/gdcm/Utilities/gdcmext/mec_mr3_io.c" # there is no iconv

@@ -30,7 +30,7 @@ PAGE = ROOT / "Documentation" / "reference" / "third-party.md"
 BROWSER = ROOT / "Applications" / "Browser"
 PRODUCTS = {"deb": "Debian package", "wheel": "wheel", "wheel-windows": "wheel for Windows", "wheel-program": "program of wheels",
             "page": "HTML page", "browser": "browser"}
-OWN = ("libvtkFiltersBoneDecimate", "libvtkFiltersParallelBoneDecimate", "libvtkBoneDecimate", "libvtkpython", "libpython")
+OWN = ("libBoneDecimate", "libvtkFiltersBoneDecimate", "libvtkFiltersParallelBoneDecimate", "libvtkBoneDecimate", "libvtkpython", "libpython")
 
 
 def components(product=None):

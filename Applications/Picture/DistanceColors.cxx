@@ -5,8 +5,9 @@
 #include "NumberText.h"
 #include "SurfaceDistances.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <initializer_list>
 
@@ -14,25 +15,6 @@ namespace bonedecimate
 {
 namespace
 {
-using Color = std::array<double, 3>;
-
-// Entries 255, 231, ... 63 of "magma" by Nathaniel Smith and Stefan van der Walt (matplotlib, CC0),
-// which is perceptually uniform. It runs from light to dark here, so that bone that did not move
-// keeps the color of bone: the first entry has its lightness from magma but less yellow, which
-// looks green in the shade. The last quarter, nearly black, is left out because no shape can be
-// seen in it.
-constexpr std::array<Color, 9> Magma = { {
-  { 0.985000, 0.965000, 0.900000 },
-  { 0.995424, 0.819875, 0.579140 },
-  { 0.995810, 0.646344, 0.441361 },
-  { 0.975082, 0.468861, 0.363111 },
-  { 0.899552, 0.314616, 0.391037 },
-  { 0.761077, 0.231214, 0.460162 },
-  { 0.607238, 0.179779, 0.499492 },
-  { 0.457386, 0.127522, 0.507448 },
-  { 0.310382, 0.069702, 0.483186 },
-} };
-
 // Their quarters, which the bar is labeled with, have few digits.
 constexpr std::initializer_list<double> Ends = { 1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0 };
 
@@ -45,16 +27,22 @@ double ColorRange(const std::vector<double>& sorted)
   return RoundUp(std::max(Quantile(sorted, 0.999), LeastRange), Ends);
 }
 
-vtkSmartPointer<vtkColorTransferFunction> DistanceColors(double range)
+Color DistanceColor(double part)
 {
-  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
-  for (std::size_t i = 0; i < Magma.size(); ++i)
+  constexpr std::size_t last = DistanceColors.size() - 1;
+  const double position = std::clamp(part, 0.0, 1.0) * static_cast<double>(last);
+  const std::size_t below = std::min(static_cast<std::size_t>(position), last - 1);
+  const double along = position - static_cast<double>(below);
+  Color from;
+  Color to;
+  vtkMath::RGBToLab(DistanceColors[below].data(), from.data());
+  vtkMath::RGBToLab(DistanceColors[below + 1].data(), to.data());
+  Color color;
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    const double position = range * static_cast<double>(i) / static_cast<double>(Magma.size() - 1);
-    colors->AddRGBPoint(position, Magma[i][0], Magma[i][1], Magma[i][2]);
+    color[i] = (1.0 - along) * from[i] + along * to[i];
   }
-  colors->SetColorSpaceToLab();
-  colors->ClampingOn();
-  return colors;
+  vtkMath::LabToRGB(color.data(), color.data());
+  return color;
 }
 }

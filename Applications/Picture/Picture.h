@@ -9,7 +9,6 @@
 #define BoneDecimate_Applications_Picture_h
 
 #include "vtkPolyData.h"
-#include "vtkRenderWindow.h"
 
 #include <string>
 
@@ -26,9 +25,6 @@ struct PictureSubject
   bool IsInPatientCoordinates = false;
   int Width = 1800; ///< Pixels, of the file; the height goes with it.
 };
-
-/// Puts the three views into a window; the caller renders it. The window's size decides the layout.
-void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject);
 
 /// Renders off screen and writes a PNG whole or not at all. Returns what went wrong, or an empty
 /// string. Without a display it starts a virtual one (Xvfb) if the system has it.

@@ -249,12 +249,10 @@ private:
     {
       return nullptr;
     }
-    const auto function = DistanceColors(1.0);
     Json colors = Json::array();
     for (int i = 0; i < Colors; ++i)
     {
-      std::array<double, 3> color;
-      function->GetColor(static_cast<double>(i) / (Colors - 1), color.data());
+      const Color color = DistanceColor(static_cast<double>(i) / (Colors - 1));
       colors.push_back({ std::lround(ColorDigits * color[0]), std::lround(ColorDigits * color[1]),
         std::lround(ColorDigits * color[2]) });
     }

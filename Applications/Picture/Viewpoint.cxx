@@ -212,20 +212,6 @@ Frame FrameCloseUp(
   return { InSpace(view, middle), square };
 }
 
-void AimCamera(vtkCamera* camera, const Viewpoint& view, const Frame& frame)
-{
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(frame.HalfHeight);
-  camera->SetFocalPoint(frame.Center.data());
-  Vector position;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    position[i] = frame.Center[i] + 10.0 * frame.HalfHeight * view.ToViewer[i];
-  }
-  camera->SetPosition(position.data());
-  camera->SetViewUp(view.Up.data());
-}
-
 double TypicalEdge(vtkPolyData* surface)
 {
   double twiceArea = 0.0;

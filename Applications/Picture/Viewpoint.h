@@ -7,7 +7,6 @@
 #ifndef BoneDecimate_Applications_Viewpoint_h
 #define BoneDecimate_Applications_Viewpoint_h
 
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
 
@@ -49,8 +48,6 @@ Frame FrameWhole(const Viewpoint& view, vtkPolyData* surface, double aspect);
  */
 Frame FrameCloseUp(
   const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances, double width);
-
-void AimCamera(vtkCamera* camera, const Viewpoint& view, const Frame& frame);
 
 /// Mean length of an edge, mm, if the triangles were all equilateral.
 double TypicalEdge(vtkPolyData* surface);

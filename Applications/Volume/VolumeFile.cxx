@@ -4,7 +4,7 @@
 
 #include "Base/Text.h"
 #include "BoneVolume.h"
-#include "Dicom/DicomFolder.h"
+#include "DicomFolder.h"
 #include "FilePath.h"
 #include "LabelMaps/LabelFields.h"
 #include "LabelMaps/MaskFolder.h"

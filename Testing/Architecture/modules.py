@@ -21,9 +21,12 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 NEIGHBORS = {
     "Applications/CommandLine": {"Applications/CommandLine/Formats", "Applications/Volume", "Applications/Picture"},
     "Applications/ParaView/Module": {PARALLEL},
+    "Applications/Picture": {"Applications/Loading"},
+    "Applications/Volume": {"Applications/Loading"},
 }
 LIBRARIES = {
     "Applications/CommandLine": {"CLI11", "JSON", "system"},
+    "Applications/Loading": {"system"},
     "Applications/Picture": {"JSON", "system"},
     "Applications/Volume": {"system"},
     f"{CORE}/Base": {"system"},

@@ -3,6 +3,7 @@
 #include "Phantom.h"
 
 #include "BoneVolume.h"
+#include "ComposedPicture.h"
 
 #include "vtkExtractVOI.h"
 #include "vtkNew.h"

@@ -46,6 +46,32 @@ class DebianPackage(unittest.TestCase):
     def test_program_runs(self):
         self.assertIn(VERSION, run(self.usr / "bin/bonedecimate", "--version"))
 
+    def test_loads_what_few_runs_need(self):
+        folder = pathlib.Path(self.scratch.name) / "few"
+        folder.mkdir()
+        (folder / "slices").mkdir()
+        (folder / "slices/one.dcm").write_bytes(bytes(128) + b"DICM")
+        program, libraries = self.usr / "bin/bonedecimate", {"Dicom": "reads DICOM", "Rendering": "draws pictures"}
+
+        def messages():
+            surface = subprocess.run([program, folder / "demo/ct.mha", folder / "bone.stl", "--iso", "bone", "--picture", folder / "bone.png"],
+                                     capture_output=True, text=True, check=False)
+            slices = subprocess.run([program, folder / "slices", folder / "bone.stl", "--iso", "bone"], capture_output=True, text=True, check=False)
+            self.assertNotEqual(slices.returncode, 0)
+            return slices.stderr + surface.stderr
+
+        run(program, "demo", folder / "demo")
+        self.assertNotIn("cannot be loaded", messages())
+        self.assertTrue((folder / "bone.png").is_file())
+        (folder / "bone.png").unlink()
+        for name in libraries:
+            next(self.usr.glob(f"lib/**/libBoneDecimate{name}.so")).rename(folder / name)
+        without = messages()
+        for name, purpose in libraries.items():
+            self.assertIn(f"the library that {purpose} cannot be loaded: libBoneDecimate{name}.so", without)
+            (folder / name).rename(next(self.usr.glob("lib/**/libBoneDecimateVolume.so")).with_name(f"libBoneDecimate{name}.so"))
+        self.assertFalse((folder / "bone.png").exists())
+
     def test_has_the_manual_page_and_completions(self):
         program = self.usr / "bin/bonedecimate"
         for file, *words in (("man/man1/bonedecimate.1", "--man"), ("bash-completion/completions/bonedecimate", "--completion", "bash"),

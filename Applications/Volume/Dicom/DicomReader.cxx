@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DicomFolder.h"
-#include "FilePath.h"
+#include "DicomReaders.h"
 
 #include "CurrentFile.h"
 #include "DicomChoice.h"
+#include "DicomFolder.h"
 #include "DicomScan.h"
 #include "DicomSegmentation.h"
 #include "DicomSeries.h"
+#include "FilePath.h"
 #include "GdcmMessages.h"
 #include "IntensityChecks.h"
 #include "Readers/DataFile.h"
@@ -192,9 +193,9 @@ LayeredVolume LayersOfSeries(const DicomSeries& series)
   };
   return volume;
 }
-}
 
-LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection& selection)
+LayeredVolume OpenFolder(
+  const std::string& folder, const SegmentSelection& selection, const std::string& series)
 {
   std::vector<std::string> files = DicomFiles(folder);
   ScannedFiles scanned = ScanFiles(files, folder);
@@ -204,8 +205,7 @@ LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection&
     scanned = ScanFiles(files, folder);
   }
   const std::vector<DicomSlices> groups = GroupSeries(scanned.Slices);
-  const SeriesChoice choice =
-    ChooseSeriesOf(groups, scanned.SegmentationEntries, folder, RequestedSeries());
+  const SeriesChoice choice = ChooseSeriesOf(groups, scanned.SegmentationEntries, folder, series);
   if (!choice.Problem.empty())
   {
     return RejectedLayers(choice.Problem);
@@ -221,15 +221,15 @@ LayeredVolume OpenDicomFolder(const std::string& folder, const SegmentSelection&
   {
     return RejectedLayers(FramesProblem(scanned.FramesOfImages.front()));
   }
-  DicomSeries series = TakeSeries(groups, choice.Index, choice.IsRequested, folder);
-  const std::string damage = DamageProblem(scanned.Damaged, series.Slices);
-  series.Problem = damage.empty() ? series.Problem : damage;
+  DicomSeries taken = TakeSeries(groups, choice.Index, choice.IsRequested, folder);
+  const std::string damage = DamageProblem(scanned.Damaged, taken.Slices);
+  taken.Problem = damage.empty() ? taken.Problem : damage;
   const std::string others = LeftAsideNote(files.size() - scanned.Images);
-  series.Note += (series.Note.empty() || others.empty() ? "" : " ") + others;
-  return LayersOfSeries(series);
+  taken.Note += (taken.Note.empty() || others.empty() ? "" : " ") + others;
+  return LayersOfSeries(taken);
 }
 
-LayeredVolume OpenDicomFile(const std::string& file, const SegmentSelection& selection)
+LayeredVolume OpenFile(const std::string& file, const SegmentSelection& selection)
 {
   if (!IsDicomFile(file))
   {
@@ -246,3 +246,8 @@ LayeredVolume OpenDicomFile(const std::string& file, const SegmentSelection& sel
                     : OpenDicomSegmentation(file, selection);
 }
 }
+}
+
+const bonedecimate::volume::DicomReaders BoneDecimateDicomReaders = {
+  bonedecimate::volume::OpenFolder, bonedecimate::volume::OpenFile
+};

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Picture.h"
+#include "PictureWriter.h"
 
+#include "ComposedPicture.h"
 #include "Display.h"
 
 #include "vtkImageShrink3D.h"
@@ -64,9 +65,8 @@ std::string WriteWhole(vtkUnsignedCharArray* bytes, const std::string& file)
   fs::remove(file, ignored);
   return "could not write the picture '" + file + "'";
 }
-}
 
-std::string WritePicture(const PictureSubject& subject, const std::string& file)
+std::string Write(const PictureSubject& subject, const std::string& file)
 {
   if (!subject.Before || !subject.After ||
     subject.Before->GetNumberOfPolys() + subject.Before->GetNumberOfStrips() == 0)
@@ -82,3 +82,6 @@ std::string WritePicture(const PictureSubject& subject, const std::string& file)
   return bytes && bytes->GetNumberOfValues() > 0 ? WriteWhole(bytes, file) : "nothing was rendered";
 }
 }
+}
+
+const bonedecimate::PictureWriter BoneDecimatePictureWriter = { bonedecimate::Write };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Overlay.h"
 
-#include "DistanceColors.h"
+#include "ColorFunction.h"
 
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
@@ -101,7 +101,7 @@ void Overlay::DrawColorBar(
   const Position& lowerLeft, const Position& upperRight, double range, const std::string& title)
 {
   vtkNew<vtkScalarBarActor> bar;
-  bar->SetLookupTable(DistanceColors(range));
+  bar->SetLookupTable(MakeColorFunction(range));
   bar->SetMaximumNumberOfColors(256);
   bar->SetOrientationToHorizontal();
   bar->SetNumberOfLabels(5);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoneView.h"
 
-#include "DistanceColors.h"
+#include "ColorFunction.h"
 #include "SurfaceDistances.h"
 
+#include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkLightKit.h"
 #include "vtkNew.h"
@@ -13,8 +14,28 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <array>
+#include <cstddef>
+
 namespace bonedecimate
 {
+namespace
+{
+void AimCamera(vtkCamera* camera, const Viewpoint& view, const Frame& frame)
+{
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(frame.HalfHeight);
+  camera->SetFocalPoint(frame.Center.data());
+  std::array<double, 3> position;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    position[i] = frame.Center[i] + 10.0 * frame.HalfHeight * view.ToViewer[i];
+  }
+  camera->SetPosition(position.data());
+  camera->SetViewUp(view.Up.data());
+}
+}
+
 double Area::Aspect(vtkRenderWindow* window) const
 {
   const int* size = window->GetSize();
@@ -69,7 +90,7 @@ void ColorByDistance(vtkActor* bone, const std::string& arrayName, double range)
   vtkMapper* mapper = bone->GetMapper();
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray(arrayName.c_str());
-  mapper->SetLookupTable(DistanceColors(range));
+  mapper->SetLookupTable(MakeColorFunction(range));
   mapper->UseLookupTableScalarRangeOn();
   mapper->InterpolateScalarsBeforeMappingOn();
   mapper->ScalarVisibilityOn();
