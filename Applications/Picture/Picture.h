@@ -20,9 +20,7 @@ struct PictureSubject
   vtkPolyData* After = nullptr;  ///< The result.
   std::string DistanceArrayName; ///< mm, distance of each point of Before to After.
   std::string Title;             ///< Over the picture; may be empty.
-  /// Whether coordinates are known to be LPS, as those of a CT volume are: only then right and left
-  /// are written.
-  bool IsInPatientCoordinates = false;
+  std::string Frame; ///< "LPS", "RAS", or empty: not known. Then no directions are written.
   int Width = 1800; ///< Pixels, of the file; the height goes with it.
 };
 

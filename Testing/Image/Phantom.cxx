@@ -53,7 +53,7 @@ PictureSubject SubjectOf(vtkBoneDecimate* filter)
   subject.After = filter->GetOutput(0);
   subject.DistanceArrayName = filter->GetInputDistanceArrayName();
   subject.Title = "Phantom";
-  subject.IsInPatientCoordinates = true;
+  subject.Frame = "LPS";
   return subject;
 }
 

@@ -159,7 +159,7 @@ void CertifyRun::WritePage(StagedFile& page, StagedFile& picture)
     drawn.After = pair.Result;
     drawn.DistanceArrayName = distance;
     drawn.Title = PlainText(BaseName(this->Requested.Result()));
-    drawn.IsInPatientCoordinates = this->Frame == "LPS";
+    drawn.Frame = this->Frame;
     const std::string problem = WritePicture(drawn, picture.GetTemporary());
     TakeVtkMessages(); // whatever VTK said about a missing display is in the problem
     pictureFile = problem.empty() ? picture.GetTemporary() : std::string();

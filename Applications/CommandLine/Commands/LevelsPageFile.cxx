@@ -35,6 +35,7 @@ std::string DrawLevels(const LevelsPageSubject& subject, const std::string& file
   picture.After = subject.Levels.front().Surface;
   picture.DistanceArrayName = DistanceName;
   picture.Title = subject.Name + ", coarsest level";
+  picture.Frame = subject.Frame;
   const std::string problem = WritePicture(picture, file);
   TakeVtkMessages(); // whatever VTK said about a missing display is in the problem
   return problem;

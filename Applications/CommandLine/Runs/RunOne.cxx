@@ -206,7 +206,7 @@ public:
     picture.After = this->Filter->GetOutput();
     picture.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
     picture.Title = PlainText(this->Subject.Input);
-    picture.IsInPatientCoordinates = this->Volume;
+    picture.Frame = this->Subject.CoordinateSystem;
     this->PictureProblem = WritePicture(picture, files.Picture->GetTemporary());
     TakeVtkMessages(); // whatever VTK said about a missing display is in the problem
     if (!this->PictureProblem.empty())

@@ -4,6 +4,7 @@
 
 #include "BoneView.h"
 #include "DistanceColors.h"
+#include "FarthestPoints.h"
 #include "NamedLabels.h"
 #include "NumberText.h"
 #include "Overlay.h"
@@ -145,14 +146,20 @@ void DrawScale(Overlay& overlay, vtkRenderWindow* window, const Area& area, cons
   overlay.Write({ ShortText(length) + " mm", { left[0] + width + 0.006, left[1] }, 0.018 });
 }
 
-void WriteDirections(Overlay& overlay, const Area& area)
+/// Of a view along y.
+void WriteDirections(Overlay& overlay, const Area& area, const std::string& frame)
 {
+  const auto letters = AxisLetters(frame);
   const double middle = 0.5 * (area.LowerLeft[0] + area.UpperRight[0]);
   const double height = 0.5 * (area.LowerLeft[1] + area.UpperRight[1]);
-  overlay.Write({ "R", { area.LowerLeft[0] + 0.006, height }, 0.018, Align::Left, false, true });
-  overlay.Write({ "L", { area.UpperRight[0] - 0.006, height }, 0.018, Align::Right, false, true });
-  overlay.Write({ "S", { middle, area.UpperRight[1] - 0.016 }, 0.018, Align::Center, false, true });
-  overlay.Write({ "I", { middle, area.LowerLeft[1] + 0.016 }, 0.018, Align::Center, false, true });
+  overlay.Write(
+    { letters[0][0], { area.LowerLeft[0] + 0.006, height }, 0.018, Align::Left, false, true });
+  overlay.Write(
+    { letters[0][1], { area.UpperRight[0] - 0.006, height }, 0.018, Align::Right, false, true });
+  overlay.Write(
+    { letters[2][1], { middle, area.UpperRight[1] - 0.016 }, 0.018, Align::Center, false, true });
+  overlay.Write(
+    { letters[2][0], { middle, area.LowerLeft[1] + 0.016 }, 0.018, Align::Center, false, true });
 }
 
 void WriteCloseUpCaption(Overlay& overlay, vtkRenderWindow* window, const Rows& rows)
@@ -164,11 +171,16 @@ void WriteCloseUpCaption(Overlay& overlay, vtkRenderWindow* window, const Rows& 
     { area.LowerLeft[0] + 0.002, BetweenRows }, 0.02, Align::Left, true });
 }
 
-void WriteFooter(Overlay& overlay, const Distances& distances)
+/// Where the camera of ChooseViewpoint() is.
+std::string CameraText(const std::string& frame)
 {
-  std::vector<std::string> lines = {
-    "The camera is the same along each row. Seen from the side of -y, a little from above."
-  };
+  return frame == "LPS" ? "the front" : frame == "RAS" ? "the back" : "the side of -y";
+}
+
+void WriteFooter(Overlay& overlay, const Distances& distances, const std::string& frame)
+{
+  std::vector<std::string> lines = { "The camera is the same along each row. Seen from " +
+    CameraText(frame) + ", a little from above." };
   if (distances.Array && distances.Largest > distances.Range)
   {
     lines.push_back("Colors end at " + ShortText(distances.Range) +
@@ -253,11 +265,11 @@ void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject)
   }
   DrawScale(overlay, window, ViewArea(0, true, hasTitle), rows.Whole);
   WriteCloseUpCaption(overlay, window, rows);
-  if (subject.IsInPatientCoordinates)
+  if (!subject.Frame.empty())
   {
-    WriteDirections(overlay, ViewArea(0, true, hasTitle));
+    WriteDirections(overlay, ViewArea(0, true, hasTitle), subject.Frame);
   }
-  WriteFooter(overlay, distances);
+  WriteFooter(overlay, distances, subject.Frame);
   if (distances.Array)
   {
     const Area area = ViewArea(2, false, hasTitle);
