@@ -228,10 +228,31 @@ TEST(Draft, AbortUndoesAllOfIt)
   const CleanSurface clean = Clean(input, true);
   Editor editor(clean, Proving(0.5));
   const std::vector<double> before = StateOf(editor.Mesh());
-  const auto collapse = [&] { return CollapseMany(editor, 1) > 20; };
-  EXPECT_FALSE(editor.MakeDraft(1, collapse, [](double) { return false; }));
+  bool isCollapsed = false;
+  const auto collapse = [&] { return isCollapsed = CollapseMany(editor, 1) > 20; };
+  EXPECT_FALSE(editor.MakeDraft(1, collapse, [&](double) { return !isCollapsed; }));
   EXPECT_GT(editor.Totals().Draft.Collapses, 20);
   EXPECT_EQ(StateOf(editor.Mesh()), before);
+}
+
+TEST(Draft, AbortAtAnyCallOfTheMonitorLeavesTheMeshAsItWas)
+{
+  const Surface input = Icosphere(3, 10.0);
+  const CleanSurface clean = Clean(input, true);
+  int calls = 0;
+  bool isDone = false;
+  for (int most = 0; !isDone; ++most)
+  {
+    Editor editor(clean, Proving(0.5));
+    const std::vector<double> before = StateOf(editor.Mesh());
+    calls = 0;
+    isDone = editor.MakeDraft(
+      1, [&] { return CollapseMany(editor, 1) > 20; }, [&](double) { return calls++ < most; });
+    EXPECT_EQ(calls > most, !isDone);
+    EXPECT_EQ(StateOf(editor.Mesh()) == before, !isDone) << most;
+    EXPECT_GT(CollapseMany(editor, 5), 0); // with its own filters
+  }
+  EXPECT_GT(calls, 5);
 }
 
 TEST(Draft, IsReportedWithAReason)

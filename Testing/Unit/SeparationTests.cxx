@@ -45,7 +45,7 @@ double EndAlong(int axis, const Surface& surface, bool isMost)
 
 std::vector<double> DistancesOf(const Surface& surface, double limit, int threads = 1)
 {
-  return FindSeparations(HalfEdgeMesh(surface), limit, threads);
+  return FindSeparations(HalfEdgeMesh(surface), limit, threads, {}).value();
 }
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 namespace bonedecimate
 {
@@ -48,39 +49,56 @@ Draft::Draft(Editor& editor, int threads)
   , Threads(threads)
   , StartsFromOriginal(IsUnedited(editor.OriginalSurface.BoundedMesh(), editor.CurrentMesh))
   , Journal(std::make_shared<EditJournal>(editor.CurrentMesh))
-  , Limits(this->InitialLimits())
+  , Limits(editor.BoundFilter->Limits())
   , Failures(static_cast<std::size_t>(editor.CurrentMesh.NumberOfVertexSlots()), 0)
   , ExactFilters(editor.Filters)
   , Rejections(editor.Total.Rejections)
 {
   editor.Total.Draft.Status = DraftStatus::Used;
-  if (editor.Guard)
+}
+
+//------------------------------------------------------------------------------
+bool Draft::Begin(const Monitor& monitor)
+{
+  const bool isGuarded = this->MeshEditor.Guard != nullptr;
+  const bool begins = (!isGuarded || (this->ReduceLimits(monitor) && this->NoteState(monitor))) &&
+    this->ExchangeFilters(monitor);
+  if (!begins)
   {
-    this->State.emplace(editor.Guard->MakeStateCheck(*this->Journal));
-    this->Enclosing = this->FindEnclosing(
-      this->StartsFromOriginal ? &editor.OriginalSurface.BoundedTree(threads) : nullptr);
+    this->Undo();
   }
-  this->ExchangeFilters();
+  return begins;
 }
 
 //------------------------------------------------------------------------------
 /// If the mesh is not the original, nothing near another part may move, because the mesh may be
-/// anywhere within the bound.
-ErrorLimits Draft::InitialLimits() const
+/// anywhere within the bound. False if the monitor requests a stop, as below.
+bool Draft::ReduceLimits(const Monitor& monitor)
 {
-  ErrorLimits limits = this->MeshEditor.BoundFilter->Limits();
-  if (this->MeshEditor.Guard)
+  const auto separations = FindSeparations(this->MeshEditor.OriginalSurface.BoundedMesh(),
+    ErrorsOfSeparation * this->Limits.Max(), this->Threads, monitor);
+  if (separations)
   {
-    limits.Reduce(FindSeparations(this->MeshEditor.OriginalSurface.BoundedMesh(),
-                    ErrorsOfSeparation * limits.Max(), this->Threads),
-      this->StartsFromOriginal ? LessThanHalf : 0.0);
+    this->Limits.Reduce(*separations, this->StartsFromOriginal ? LessThanHalf : 0.0);
   }
-  return limits;
+  return separations.has_value();
 }
 
 //------------------------------------------------------------------------------
-void Draft::ExchangeFilters()
+/// What the guard compares with afterwards.
+bool Draft::NoteState(const Monitor& monitor)
 {
+  Editor& editor = this->MeshEditor;
+  this->State.emplace(editor.Guard->MakeStateCheck(*this->Journal));
+  this->Enclosing = this->FindEnclosing(
+    this->StartsFromOriginal ? &editor.OriginalSurface.BoundedTree(this->Threads) : nullptr);
+  return monitor(0.0);
+}
+
+//------------------------------------------------------------------------------
+bool Draft::ExchangeFilters(const Monitor& monitor)
+{
+  bool shouldContinue = true;
   Editor& editor = this->MeshEditor;
   editor.Filters.clear();
   for (const std::shared_ptr<EditFilter>& filter : this->ExactFilters)
@@ -91,7 +109,7 @@ void Draft::ExchangeFilters()
         editor.CurrentMesh, editor.OriginalSurface.CurrentOfInitial(), this->Threads);
       if (editor.Guard && !this->StartsFromOriginal)
       {
-        draftFilter->KeepUnproved(editor.CurrentMesh, this->Threads);
+        shouldContinue = draftFilter->KeepUnproved(editor.CurrentMesh, this->Threads, monitor);
       }
       editor.Filters.push_back(draftFilter);
     }
@@ -102,6 +120,7 @@ void Draft::ExchangeFilters()
   }
   editor.Filters.push_back(this->Journal);
   editor.PatchWorkspaces.clear(); // they hold data of the previous filters
+  return shouldContinue;
 }
 
 //------------------------------------------------------------------------------
@@ -114,19 +133,20 @@ bool Draft::Prove(const Monitor& monitor)
     *editor.BoundFilter, this->Limits, editor.CurrentMesh, *this->Journal, this->Threads);
   for (int turn = 0; turn < MaxTurns; ++turn)
   {
-    if (!monitor(static_cast<double>(turn) / MaxTurns))
+    const auto whole = [&](double) { return monitor(static_cast<double>(turn) / MaxTurns); };
+    const std::optional<std::vector<Index>> edits = this->FindRejectedEdits(proof, whole);
+    if (!edits)
     {
       this->Undo();
       return false;
     }
-    const std::vector<Index> edits = this->FindRejectedEdits(proof);
-    if (edits.empty())
+    if (edits->empty())
     {
       this->Finish();
       proof.WriteCoverage();
       return true;
     }
-    this->UndoRejected(edits);
+    this->UndoRejected(*edits);
   }
   editor.Total.Draft.Status = DraftStatus::Undone;
   this->Undo();
@@ -134,11 +154,17 @@ bool Draft::Prove(const Monitor& monitor)
 }
 
 //------------------------------------------------------------------------------
-/// Runs the cheaper checks first, so that less is left to check.
-std::vector<Index> Draft::FindRejectedEdits(BulkProof& proof)
+/// Runs the cheaper checks first, so that less is left to check. Nothing if the monitor requests a
+/// stop.
+std::optional<std::vector<Index>> Draft::FindRejectedEdits(BulkProof& proof, const Monitor& monitor)
 {
-  std::vector<Index> edits =
-    proof.FindFailures(this->MeshEditor.OriginalSurface.CurrentOfInitial());
+  std::optional<std::vector<Index>> failures =
+    proof.FindFailures(this->MeshEditor.OriginalSurface.CurrentOfInitial(), monitor);
+  if (!failures || !monitor(0.0))
+  {
+    return std::nullopt;
+  }
+  std::vector<Index> edits = std::move(*failures);
   if (edits.empty() && this->State)
   {
     edits = this->State->FindEditsToUndo(this->Threads);

@@ -44,9 +44,11 @@ class BulkProof;
 class Draft
 {
 public:
-  /// Replaces the filters of the editor by those of the draft.
   Draft(Editor& editor, int threads);
 
+  /// Replaces the filters of the editor by those of the draft. False if the monitor requests a
+  /// stop; then they are as before.
+  bool Begin(const Monitor& monitor);
   /// Proves the draft and undoes what is not proved. False if the monitor requests a stop; then the
   /// whole draft is undone.
   bool Prove(const Monitor& monitor);
@@ -54,10 +56,11 @@ public:
   void Undo();
 
 private:
-  ErrorLimits InitialLimits() const;
-  void ExchangeFilters();
+  bool ReduceLimits(const Monitor& monitor);
+  bool NoteState(const Monitor& monitor);
+  bool ExchangeFilters(const Monitor& monitor);
   std::vector<std::vector<Index>> FindEnclosing(const BoundingTree* tree) const;
-  std::vector<Index> FindRejectedEdits(BulkProof& proof);
+  std::optional<std::vector<Index>> FindRejectedEdits(BulkProof& proof, const Monitor& monitor);
   std::vector<char> FindWrongComponents() const;
   void UndoRejected(const std::vector<Index>& edits);
   void UndoWithDependents(Index edit);

@@ -239,6 +239,10 @@ bool Editor::MakeDraft(int threads, const std::function<bool()>& collapse, const
     return true;
   }
   Draft draft(*this, threads);
+  if (!draft.Begin(monitor))
+  {
+    return false;
+  }
   const bool shouldContinue = collapse();
   if (!shouldContinue)
   {

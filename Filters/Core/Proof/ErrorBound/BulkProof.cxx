@@ -33,13 +33,20 @@ BulkProof::BulkProof(ErrorBound& bound, const ErrorLimits& limits, const HalfEdg
 }
 
 //------------------------------------------------------------------------------
-std::vector<Index> BulkProof::FindFailures(const std::vector<Index>& current)
+std::optional<std::vector<Index>> BulkProof::FindFailures(
+  const std::vector<Index>& current, const Monitor& monitor)
 {
   this->FindChanged();
-  this->ProveFaces();
+  if (!this->ProveFaces(monitor))
+  {
+    return std::nullopt;
+  }
   const std::vector<char> originals = this->OriginalsToProve();
   this->ProofOfOriginals.FindNear(originals, current, this->Threads);
-  this->ProveOriginals(originals);
+  if (!this->ProveOriginals(originals, monitor))
+  {
+    return std::nullopt;
+  }
   std::vector<Index> edits;
   for (FaceId face = 0; face < this->Mesh.NumberOfFaceSlots(); ++face)
   {
@@ -57,7 +64,8 @@ std::vector<Index> BulkProof::FindFailures(const std::vector<Index>& current)
 }
 
 //------------------------------------------------------------------------------
-void BulkProof::ProveOriginals(const std::vector<char>& originals)
+/// False after an abort by the monitor, which may be empty.
+bool BulkProof::ProveOriginals(const std::vector<char>& originals, const Monitor& monitor)
 {
   struct Part
   {
@@ -65,7 +73,7 @@ void BulkProof::ProveOriginals(const std::vector<char>& originals)
     std::vector<Failure> Failures;
   };
   std::vector<Part> parts(NumberOfChunks(originals.size()));
-  ForEachChunk(originals.size(), this->Threads, {},
+  const bool isDone = ForEachChunk(originals.size(), this->Threads, monitor,
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
       CommonFaceProof proof;
@@ -100,6 +108,7 @@ void BulkProof::ProveOriginals(const std::vector<char>& originals)
     this->Failures.insert(this->Failures.end(), part.Failures.begin(), part.Failures.end());
   }
   this->ProofOfOriginals.ClearNear();
+  return isDone;
 }
 
 //------------------------------------------------------------------------------
@@ -112,10 +121,11 @@ void BulkProof::FindChanged()
 }
 
 //------------------------------------------------------------------------------
-void BulkProof::ProveFaces()
+/// False after an abort by the monitor.
+bool BulkProof::ProveFaces(const Monitor& monitor)
 {
   const WalkedSurface original(this->Bound.OriginalMesh, this->Bound.OriginalTree, this->Limits);
-  ForEachChunk(this->IsChanged.size(), this->Threads, {},
+  const bool isDone = ForEachChunk(this->IsChanged.size(), this->Threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       const std::shared_ptr<Prover> prover = this->Bound.BorrowProver();
@@ -135,6 +145,7 @@ void BulkProof::ProveFaces()
       }
     });
   this->Bound.Provers.Clear(); // frees their memory for the next step
+  return isDone;
 }
 
 //------------------------------------------------------------------------------

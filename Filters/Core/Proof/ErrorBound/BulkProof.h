@@ -16,6 +16,7 @@
 #ifndef BoneDecimate_Core_Proof_ErrorBound_BulkProof_h
 #define BoneDecimate_Core_Proof_ErrorBound_BulkProof_h
 
+#include "Base/Monitor.h"
 #include "CoveringList.h"
 #include "ErrorBound.h"
 #include "OriginalProof.h"
@@ -37,8 +38,10 @@ public:
 
   /// Proves what has changed since the last call.
   /// @param current For each original vertex, the vertex of the mesh into which it was merged.
-  /// @return Edits to undo: one for each face and each original that is not proved.
-  std::vector<Index> FindFailures(const std::vector<Index>& current);
+  /// @return Edits to undo: one for each face and each original that is not proved. Nothing after
+  ///   an abort by the monitor; then this object must not be used again.
+  std::optional<std::vector<Index>> FindFailures(
+    const std::vector<Index>& current, const Monitor& monitor);
 
   /// Proves these originals by the faces as they are and writes the coverage. For a mesh that has
   /// no coverage yet.
@@ -59,9 +62,9 @@ private:
   };
 
   void FindChanged();
-  void ProveFaces();
+  bool ProveFaces(const Monitor& monitor);
   std::vector<char> OriginalsToProve() const;
-  void ProveOriginals(const std::vector<char>& originals);
+  bool ProveOriginals(const std::vector<char>& originals, const Monitor& monitor);
   Covering InitialCovering(Index original) const;
   bool IsUnchanged(const Covering& covering) const;
   Covering Prove(Index original, CommonFaceProof& proof, std::optional<Vector3>& far) const;

@@ -99,11 +99,11 @@ void DraftFilter::Distribute(
 }
 
 //------------------------------------------------------------------------------
-void DraftFilter::KeepUnproved(const HalfEdgeMesh& mesh, int threads)
+bool DraftFilter::KeepUnproved(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor)
 {
   const WalkedSurface original(this->Bound.OriginalMesh, this->Bound.OriginalTree, this->Limits);
   this->IsKept.assign(this->FirstSamples.size(), 0);
-  ForEachChunk(this->IsKept.size(), threads, {},
+  return ForEachChunk(this->IsKept.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       const std::shared_ptr<Prover> prover = this->Bound.BorrowProver();

@@ -16,6 +16,7 @@
 #ifndef BoneDecimate_Core_Proof_ErrorBound_DraftFilter_h
 #define BoneDecimate_Core_Proof_ErrorBound_DraftFilter_h
 
+#include "Base/Monitor.h"
 #include "ErrorBound.h"
 #include "Proof/EditFilters/EditFilter.h"
 
@@ -35,7 +36,7 @@ public:
     const std::vector<Index>& current, int threads);
 
   /// Keeps all faces that are not within the limits now. For a mesh that is not the original.
-  void KeepUnproved(const HalfEdgeMesh& mesh, int threads);
+  bool KeepUnproved(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
   bool NeedsSurfaceChange() const override { return true; }

@@ -112,7 +112,7 @@ std::vector<Index> BulkProof::ProveInitialCoverage(
   const std::vector<char>& originals, const std::vector<Index>& current)
 {
   this->ProofOfOriginals.FindNear(originals, current, this->Threads);
-  this->ProveOriginals(originals);
+  this->ProveOriginals(originals, {});
   this->WriteCoverage();
   std::vector<Index> left(this->Failures.size());
   std::transform(this->Failures.begin(), this->Failures.end(), left.begin(),

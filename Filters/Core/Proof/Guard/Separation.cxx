@@ -271,18 +271,23 @@ private:
 };
 }
 
-std::vector<double> FindSeparations(const HalfEdgeMesh& mesh, double limit, int threads)
+std::optional<std::vector<double>> FindSeparations(
+  const HalfEdgeMesh& mesh, double limit, int threads, const Monitor& monitor)
 {
   const NearTriangles triangles(mesh, limit, threads);
   std::vector<double> ofFaces(static_cast<std::size_t>(mesh.NumberOfFaceSlots()), Infinity);
   WorkspacePool<GrowingPatch> patches;
-  ForEachChunk(ofFaces.size(), threads, {},
+  const bool isDone = ForEachChunk(ofFaces.size(), threads, monitor,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       const auto patch = patches.Borrow([&] { return std::make_unique<GrowingPatch>(mesh); });
       triangles.Measure(
         static_cast<Index>(first), static_cast<Index>(last), nullptr, *patch, ofFaces);
     });
+  if (!isDone)
+  {
+    return std::nullopt;
+  }
   std::vector<double> distances(static_cast<std::size_t>(mesh.NumberOfVertexSlots()), Infinity);
   for (FaceId face = 0; face < mesh.NumberOfFaceSlots(); ++face)
   {

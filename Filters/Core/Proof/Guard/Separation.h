@@ -15,15 +15,18 @@
 #ifndef BoneDecimate_Core_Proof_Guard_Separation_h
 #define BoneDecimate_Core_Proof_Guard_Separation_h
 
+#include "Base/Monitor.h"
 #include "Mesh/HalfEdgeMesh.h"
 
+#include <optional>
 #include <vector>
 
 namespace bonedecimate
 {
 /// mm, for each vertex the least separation of its triangles; infinite if it is not below the
-/// limit.
-std::vector<double> FindSeparations(const HalfEdgeMesh& mesh, double limit, int threads);
+/// limit. Nothing after an abort by the monitor, which may be empty.
+std::optional<std::vector<double>> FindSeparations(
+  const HalfEdgeMesh& mesh, double limit, int threads, const Monitor& monitor);
 }
 
 #endif
