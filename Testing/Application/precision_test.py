@@ -206,6 +206,12 @@ class Precision(ApplicationTest):
         write(read(self.path("out.ply")), self.path("vtk.ply"))
         self.assertEqual(self.path("out.ply").read_bytes(), self.path("vtk.ply").read_bytes())
 
+    def test_stl_has_the_bytes_of_vtk(self):
+        write(as_doubles(torus(center=1.0 / 3.0)), self.path("in.vtp"))
+        self.succeed("in.vtp", "out.vtp", "--also", "out.stl", "--target-reduction", 0.5, *UNMEASURED)
+        write(read(self.path("out.vtp")), self.path("vtk.stl"))
+        self.assertEqual(self.path("out.stl").read_bytes(), self.path("vtk.stl").read_bytes())
+
     def test_double_coordinates_are_written_in_full_to_every_format_but_stl(self):
         write(as_doubles(torus(center=1e4 + 1.0 / 3.0)), self.path("in.vtp"))
         words = ("--also", "out.ply", "--also", "out.obj", "--also", "out.vtk", "--also", "out.stl")
