@@ -141,7 +141,7 @@ bool SharedFolder::IsNew(const std::string& file) const
 {
   std::error_code error;
   const Time time = fs::last_write_time(FilePath(file), error);
-  return !error && time >= this->Begin;
+  return !error && time > this->Begin; // on Windows they are whole seconds
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "StandardOutput.h"
 
 #include "ExitCode.h"
+#include "Terminal/ClosedPipe.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -51,7 +52,7 @@ void WriteToStandardOutput(const std::string& text)
   std::ostream output(OutputOfFile != nullptr ? OutputOfFile : std::cout.rdbuf());
   errno = 0;
   if (!output.write(text.data(), static_cast<std::streamsize>(text.size())).flush() &&
-    errno != EPIPE)
+    !IsClosedPipe(errno))
   {
     throw Failure(ExitCode::CouldNotWrite, "could not write to the standard output");
   }

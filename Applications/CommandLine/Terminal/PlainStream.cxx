@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlainStream.h"
 
+#include "ClosedPipe.h"
 #include "PlainText.h"
 
 #include <cerrno>
@@ -75,7 +76,7 @@ bool PlainStream::Write(const std::string& text)
 
 bool PlainStream::NoteFailure()
 {
-  this->Closed = this->Closed || errno == EPIPE;
+  this->Closed = this->Closed || IsClosedPipe(errno);
   return false;
 }
 }
