@@ -21,7 +21,7 @@ struct PictureSubject
   std::string DistanceArrayName; ///< mm, distance of each point of Before to After.
   std::string Title;             ///< Over the picture; may be empty.
   std::string Frame; ///< "LPS", "RAS", or empty: not known. Then no directions are written.
-  int Width = 1800; ///< Pixels, of the file; the height goes with it.
+  int Width = 1800;  ///< Pixels, of the file; the height goes with it.
 };
 
 /// Renders off screen and writes a PNG whole or not at all. Returns what went wrong, or an empty
