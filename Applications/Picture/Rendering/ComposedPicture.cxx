@@ -146,7 +146,7 @@ void DrawScale(Overlay& overlay, vtkRenderWindow* window, const Area& area, cons
   overlay.Write({ ShortText(length) + " mm", { left[0] + width + 0.006, left[1] }, 0.018 });
 }
 
-/// Of a view along y.
+/// The ends of x and z, for a view along y.
 void WriteDirections(Overlay& overlay, const Area& area, const std::string& frame)
 {
   const auto letters = AxisLetters(frame);
