@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The pictures of the phantom compared with their baselines; wrong pictures must fail.
+#include "ComposedPicture.h"
 #include "Display.h"
 #include "Phantom.h"
 
@@ -13,10 +14,16 @@
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkTextActor.h"
 #include "vtkVector.h"
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 namespace
@@ -55,6 +62,36 @@ vtkSmartPointer<vtkPolyData> WithPointsOfItsOwnForEachTriangle(vtkPolyData* surf
   soup->SetPoints(points);
   soup->SetPolys(triangles);
   return soup;
+}
+
+/// The words over a picture, and how far from the left each of them is.
+std::map<std::string, double> WordsOf(const PictureSubject& subject)
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(900, 700);
+  ComposePicture(window, subject);
+  std::map<std::string, double> words;
+  for (vtkIdType i = 0; i < window->GetRenderers()->GetNumberOfItems(); ++i)
+  {
+    auto* renderer =
+      vtkRenderer::SafeDownCast(window->GetRenderers()->GetItemAsObject(static_cast<int>(i)));
+    vtkPropCollection* props = renderer->GetViewProps();
+    props->InitTraversal();
+    while (vtkProp* prop = props->GetNextProp())
+    {
+      if (auto* text = vtkTextActor::SafeDownCast(prop))
+      {
+        words[text->GetInput()] = text->GetPosition()[0];
+      }
+    }
+  }
+  return words;
+}
+
+std::string Footer(const std::string& from)
+{
+  return "The camera is the same along each row. Seen from " + from + ", a little from above.";
 }
 
 class PhantomImages : public ::testing::Test
@@ -104,6 +141,24 @@ TEST_F(PhantomImages, BeforeAndAfterLookAsTheyDid)
 {
   EXPECT_LT(
     Difference(RenderPhantom(this->Subject).BeforeAndAfter, "PhantomBeforeAndAfter"), Tolerance);
+}
+
+TEST_F(PhantomImages, DirectionsAreThoseOfTheFrame)
+{
+  const auto seen = [this](const std::string& frame)
+  {
+    this->Subject.Frame = frame;
+    return WordsOf(this->Subject);
+  };
+  const auto inLps = seen("LPS");
+  EXPECT_LT(inLps.at("R"), inLps.at("L"));
+  EXPECT_EQ(inLps.count(Footer("the front")), 1U);
+  const auto inRas = seen("RAS");
+  EXPECT_LT(inRas.at("L"), inRas.at("R"));
+  EXPECT_EQ(inRas.count(Footer("the back")), 1U);
+  const auto unknown = seen("");
+  EXPECT_EQ(unknown.count("L") + unknown.count("R"), 0U);
+  EXPECT_EQ(unknown.count(Footer("the side of -y")), 1U);
 }
 
 TEST_F(PhantomImages, AnUnweldedInputLooksTheSame)

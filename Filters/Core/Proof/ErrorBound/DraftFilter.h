@@ -36,6 +36,7 @@ public:
     const std::vector<Index>& current, int threads);
 
   /// Keeps all faces that are not within the limits now. For a mesh that is not the original.
+  /// @return False after an abort by the monitor; then this object must not be used.
   bool KeepUnproved(const HalfEdgeMesh& mesh, int threads, const Monitor& monitor);
 
   std::shared_ptr<EditFilter::Pending> MakePending() override;
