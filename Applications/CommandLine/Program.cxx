@@ -74,7 +74,7 @@ ExitCode Run(int argc, char* argv[])
   AddSummaryCommand(program);
   AddDemoCommand(program);
   AddHelpCommand(program);
-  RunCommandLine(program, words);
+  RunCommandLine(program, WithOptionAsWord(words));
   return code;
 }
 }

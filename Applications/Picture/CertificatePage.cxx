@@ -60,6 +60,56 @@ std::string LeftOutList(const ReportFields& report)
                        : "<p>Not compared, because it is no surface:</p><ul>" + items + "</ul>";
 }
 
+/// The bound below, at the position that has it.
+LargestDistance LargestOf(const ReportFields& report, const std::string& path)
+{
+  const auto value = [&](const char* name) { return report.Number(path + name).value_or(0.0); };
+  return { report.Number(path + "triangle").value_or(-1.0) < 0.0 ? 0.0 : value("lower"),
+    { value("x"), value("y"), value("z") } };
+}
+
+/// What is not compared, in a sentence; empty if there is nothing.
+std::string ExceptionsText(const ReportFields& report)
+{
+  const std::string boundaries = report.Text("boundaries");
+  const bool areOfOne = boundaries == "reference_only" || boundaries == "result_only";
+  std::string text = areOfOne ? "open boundaries, which only one surface has" : "";
+  for (int i = 0; report.Number("left_out." + std::to_string(i) + ".count"); ++i)
+  {
+    text += (text.empty() ? "" : "; ") +
+      EscapedXml(report.Text("left_out." + std::to_string(i) + ".sentence"));
+  }
+  return text.empty() ? text : " Exceptions: " + text + ".";
+}
+
+/// How far, and whether pieces are missing.
+std::string Headline(const ReportFields& report)
+{
+  const std::optional<double> upper = report.Number("upper");
+  if (!upper)
+  {
+    return {};
+  }
+  const std::string status = report.Text("status");
+  const bool isKept = status == "proved" || status == "not_requested";
+  const auto count = [&report](const char* name)
+  { return GroupedText(report.Number(name).value_or(0.0)); };
+  std::string tiles;
+  if (const std::optional<double> before = report.Number("reference.components"))
+  {
+    const std::optional<double> after = report.Number("result.components");
+    const std::string relation = after > before ? " instead of " : " of ";
+    tiles = FigureTile(count("result.components") + relation + count("reference.components"),
+              "components (separate pieces) in the result", after < before) +
+      FigureTile(
+        count("result.triangles"), "triangles; the reference has " + count("reference.triangles"));
+  }
+  return PageBlock("certificate headline",
+    { { "kind", isKept ? "headline" : "headline open" }, { "upper", BoundText(*upper) },
+      { "status", status == "not_requested" ? "proved" : StatusText(report) },
+      { "exceptions", ExceptionsText(report) }, { "tiles", tiles } });
+}
+
 /// A mean and its error; empty if it was not measured.
 std::string MeanText(const ReportFields& report, const std::string& name)
 {
@@ -152,8 +202,10 @@ std::string ComposeCertificatePage(
     (iso ? " at " + GroupedText(*iso) + " HU" : "");
   const std::string map = EscapedXml(PlainText(report.Text("files.label_map")));
   const std::string picture = pictureFile.empty() ? std::string() : EmbeddedPicture(pictureFile);
-  const std::vector<FarPoint> points = FarthestOfPair(pair);
   PairSubject shown = pair;
+  shown.Largest = { LargestOf(report, "reference_to_result."),
+    LargestOf(report, "result_to_reference.") };
+  const std::vector<FarPoint> points = FarthestOfPair(shown);
   shown.Names = { "Reference", "Result" };
   shown.Threshold = report.Number("tolerance").value_or(0.0);
   const ViewerHtml viewer = PairViewer(shown, points, picture.size());
@@ -162,8 +214,8 @@ std::string ComposeCertificatePage(
       { "name", name }, { "reference", reference.empty() ? "none" : reference },
       { "label map", map.empty() ? "none" : map },
       { "version", EscapedXml(report.Text("version")) }, { "stopped", StoppedNotice(report) },
-      { "distances", DistanceSection(report) }, { "viewer", viewer.Section },
-      { "picture", picture },
+      { "headline", Headline(report) }, { "distances", DistanceSection(report) },
+      { "viewer", viewer.Section }, { "picture", picture },
       { "where", WhereSection(points, pair.Frame, { "reference", "result" }) },
       { "surfaces", SurfaceSection(report) }, { "voxels", VoxelSection(report) },
       { "warnings", Warnings(report) }, { "viewer script", viewer.Script } });

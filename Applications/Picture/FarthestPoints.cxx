@@ -26,6 +26,8 @@ namespace
 {
 constexpr double LeastSeparation = 0.05; // of the diagonal
 
+constexpr vtkIdType OfLargest = -1; // in place of a point
+
 struct Candidate
 {
   double Distance;
@@ -123,20 +125,30 @@ std::vector<FarPoint> FindFarthestPoints(
     box.AddBounds(triangles[side]->GetBounds());
     AddCandidates(
       triangles[side], surfaces[side]->DistanceArrayName, static_cast<int>(side), candidates);
+    if (surfaces[side]->Largest.Distance > 0.0)
+    {
+      candidates.push_back({ surfaces[side]->Largest.Distance, static_cast<int>(side), OfLargest });
+    }
   }
   std::sort(candidates.begin(), candidates.end());
   std::vector<FarPoint> points;
   vtkNew<vtkIdList> cells;
   for (auto at = candidates.begin(); at != candidates.end() && points.size() < count; ++at)
   {
-    vtkPolyData* const surface = triangles[static_cast<std::size_t>(at->Side)];
+    const auto side = static_cast<std::size_t>(at->Side);
+    vtkPolyData* const surface = triangles[side];
     FarPoint one;
-    surface->GetPoint(at->Point, one.Position.data());
+    one.Position = surfaces[side]->Largest.Position;
+    if (at->Point != OfLargest)
+    {
+      surface->GetPoint(at->Point, one.Position.data());
+    }
     if (IsNear(one.Position.data(), points, LeastSeparation * box.GetDiagonalLength()))
     {
       continue;
     }
-    surface->GetPointCells(at->Point, cells);
+    surface->GetPointCells(
+      at->Point == OfLargest ? surface->FindPoint(one.Position.data()) : at->Point, cells);
     one.Distance = at->Distance;
     one.Outward = OutwardAt(surface, cells);
     one.IsOnOriginal = at->Side == 0;

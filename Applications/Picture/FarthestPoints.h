@@ -25,14 +25,21 @@ struct FarPoint
   std::vector<std::string> Labels; ///< Labels of the triangles around it, with their names.
 };
 
+struct LargestDistance
+{
+  double Distance = 0.0; ///< mm; 0: not known.
+  std::array<double, 3> Position{};
+};
+
 struct MeasuredSurface
 {
   vtkPolyData* Surface = nullptr;
   std::string DistanceArrayName; ///< Point array of distances to the other surface, mm.
+  LargestDistance Largest{};     ///< The largest that was measured, between points as well.
 };
 
 /**
- * The points with the largest distances, the largest first. Of points closer together than a
+ * The points with the largest distances, the largest first, and the largest that was measured. Of points closer together than a
  * twentieth of the diagonal of both surfaces only that of the largest distance is listed.
  */
 std::vector<FarPoint> FindFarthestPoints(

@@ -21,11 +21,6 @@ std::string CountIn(const ReportFields& report, const char* name)
   return value ? GroupedText(*value) : "not known";
 }
 
-std::string Tile(const std::string& figure, const std::string& words)
-{
-  return "<div><strong>" + figure + "</strong>" + words + "</div>\n";
-}
-
 std::string TypicalTile(const ReportFields& report, const std::vector<double>& sorted)
 {
   const std::optional<double> there = report.Number("distance.input_to_output.mean");
@@ -34,7 +29,7 @@ std::string TypicalTile(const ReportFields& report, const std::vector<double>& s
   {
     return {};
   }
-  return Tile(EscapedXml(MeasuredText(std::max(*there, *back))) + " mm",
+  return FigureTile(EscapedXml(MeasuredText(std::max(*there, *back))) + " mm",
     "apart on average" +
       (sorted.empty() ? std::string()
                       : "; 95 % of the points of the original within " +
@@ -43,13 +38,13 @@ std::string TypicalTile(const ReportFields& report, const std::vector<double>& s
 
 std::string TrianglesTile(const ReportFields& report)
 {
-  const std::optional<double> before = report.Number("input.triangles");
+  const std::optional<double> before = CountBeforePruning(report, "triangles");
   const std::optional<double> after = report.Number("output.triangles");
   const std::string ratio = before && after && *before > 0.0
     ? GroupedText(100.0 * *after / *before, 1) + " % of "
     : std::string("instead of ");
-  return Tile(CountIn(report, "output.triangles"),
-    "triangles, " + ratio + CountIn(report, "input.triangles"));
+  return FigureTile(CountIn(report, "output.triangles"),
+    "triangles, " + ratio + (before ? GroupedText(*before) : "not known"));
 }
 
 std::string SpeckClause(const SpeckFigures& specks)
@@ -62,8 +57,13 @@ std::string SpeckClause(const SpeckFigures& specks)
 
 std::string ComponentsTile(const ReportFields& report, const SpeckFigures& specks)
 {
-  return Tile(CountIn(report, "output.components") + " of " + CountIn(report, "input.components"),
-    "components (separate pieces) kept" + SpeckClause(specks));
+  const std::optional<double> before = CountBeforePruning(report, "components");
+  const double pruned = report.Number("pruned.components").value_or(0.0);
+  return FigureTile(
+    CountIn(report, "output.components") + " of " + (before ? GroupedText(*before) : "not known"),
+    "components (separate pieces) kept" +
+      (pruned > 0.0 ? ", " + GroupedText(pruned) + " pruned on request" : SpeckClause(specks)),
+    before > report.Number("output.components"));
 }
 
 std::int64_t NotEmpty(const std::vector<LabelExtent>& labels)
@@ -74,9 +74,10 @@ std::int64_t NotEmpty(const std::vector<LabelExtent>& labels)
 
 std::string LabelsTile(const PageLabels& labels)
 {
-  return Tile(
-    std::to_string(NotEmpty(labels.After)) + " of " + std::to_string(NotEmpty(labels.Before)),
-    "labels kept");
+  const std::int64_t before = NotEmpty(labels.Before);
+  const std::int64_t after = NotEmpty(labels.After);
+  return FigureTile(
+    std::to_string(after) + " of " + std::to_string(before), "labels kept", after < before);
 }
 
 std::string Change(double before, double after)

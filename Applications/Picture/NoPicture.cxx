@@ -4,8 +4,13 @@
 
 namespace bonedecimate
 {
-std::string WritePicture(const PictureSubject&, const std::string&)
+std::string WhyNoPictures()
 {
   return "this program draws no pictures; that of the Debian package, or built from source, does";
+}
+
+std::string WritePicture(const PictureSubject&, const std::string&)
+{
+  return WhyNoPictures();
 }
 }

@@ -57,6 +57,13 @@ std::string Table(const std::vector<std::vector<std::string>>& rows)
   return html + "</table>\n";
 }
 
+std::string FigureTile(const std::string& figure, const std::string& words, bool hasLoss)
+{
+  return std::string(hasLoss ? "<div class=\"lost\">" : "<div>") + "<strong>" + figure +
+    "</strong>" + words + "</div>\n";
+}
+
+//------------------------------------------------------------------------------
 std::string Base64(const std::string& bytes)
 {
   std::string text(4 * (bytes.size() / 3 + 1), '\0');

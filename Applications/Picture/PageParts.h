@@ -22,6 +22,9 @@ std::string Table(const std::vector<std::vector<std::string>>& rows);
 /// The coordinates below a path, mm: "1.00, 2.00, 3.00".
 std::string PositionText(const ReportFields& report, const std::string& path);
 
+/// One of the figures that a page begins with. @param hasLoss Whether it tells of something lost.
+std::string FigureTile(const std::string& figure, const std::string& words, bool hasLoss = false);
+
 std::string Base64(const std::string& bytes);
 
 /// The bytes of a file in base64; empty if it cannot be read.

@@ -6,6 +6,7 @@
 #include "NumberText.h"
 #include "PageParts.h"
 #include "PageTemplate.h"
+#include "ReportFields.h"
 #include "SurfaceDistances.h"
 
 #include <algorithm>
@@ -17,6 +18,25 @@ namespace
 bool HasTriangles(vtkPolyData* surface)
 {
   return surface && TrianglesOnly(surface)->GetNumberOfPolys() > 0;
+}
+
+LargestDistance LargestOf(
+  const PairSubject& subject, std::size_t side, const std::string& direction)
+{
+  if (subject.Largest[side].Distance > 0.0)
+  {
+    return subject.Largest[side];
+  }
+  const ReportFields report(subject.Result);
+  const std::string path = "distance." + direction;
+  LargestDistance largest = { report.Number(path + ".max").value_or(0.0), {} };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto at = report.Number(path + ".max_at." + std::to_string(axis));
+    largest.Position[axis] = at.value_or(0.0);
+    largest.Distance = at ? largest.Distance : 0.0;
+  }
+  return largest;
 }
 }
 
@@ -43,8 +63,10 @@ ViewerHtml PairViewer(
 std::vector<FarPoint> FarthestOfPair(const PairSubject& subject)
 {
   return subject.Before && subject.Result
-    ? FindFarthestPoints({ subject.Before, subject.DistanceArrayName },
-        { subject.Result, subject.ResultDistanceArrayName })
+    ? FindFarthestPoints(
+        { subject.Before, subject.DistanceArrayName, LargestOf(subject, 0, "input_to_output") },
+        { subject.Result, subject.ResultDistanceArrayName,
+          LargestOf(subject, 1, "output_to_input") })
     : std::vector<FarPoint>();
 }
 

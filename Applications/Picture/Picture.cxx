@@ -10,6 +10,12 @@
 
 namespace bonedecimate
 {
+std::string WhyNoPictures()
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
 std::string WritePicture(const PictureSubject& subject, const std::string& file)
 {
 #ifdef BONEDECIMATE_LOADS_ON_DEMAND

@@ -24,6 +24,9 @@ struct PictureSubject
   int Width = 1800;  ///< Pixels, of the file; the height goes with it.
 };
 
+/// Why this program draws no pictures; empty if it does.
+std::string WhyNoPictures();
+
 /// Renders off screen and writes a PNG whole or not at all. Returns what went wrong, or an empty
 /// string. Without a display it starts a virtual one (Xvfb) if the system has it.
 std::string WritePicture(const PictureSubject& subject, const std::string& file);

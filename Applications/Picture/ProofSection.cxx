@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -41,17 +42,10 @@ std::string StatusText(const ReportFields& report)
   return status == "proved" || status == "violated" ? status : "not proved";
 }
 
-/// Why a run has no proof.
+/// As HTML.
 std::string ReasonText(const ReportFields& report)
 {
-  const std::string error = report.Text("options.MaximumError");
-  const std::string preset = report.Text("options.ErrorPreset");
-  const bool wantsBound = (!error.empty() && error != "0") ||
-    (!preset.empty() && preset != "None") || !report.Text("options.ToleranceArrayName").empty();
-  return !wantsBound ? "no largest error was requested"
-    : report.Text("options.ProveResult") == "on"
-    ? "mode " + EscapedXml(report.Text("options.Mode")) + " proves no largest error"
-    : "the proof was switched off (ProveResult)";
+  return EscapedXml(ReasonWithoutProof(report));
 }
 
 std::string BoundariesText(const std::string& boundaries)
@@ -77,16 +71,32 @@ std::string BoundariesText(const std::string& boundaries)
   return {};
 }
 
-std::string LeftOutText(const ReportFields& report)
+struct LeftOutEntry
 {
-  std::string text;
+  std::string Sentence; ///< As HTML.
+  bool IsCovered;       ///< By the bound.
+};
+
+std::vector<LeftOutEntry> LeftOutEntries(const ReportFields& report)
+{
+  std::vector<LeftOutEntry> entries;
   for (int i = 0; report.Number("left_out." + std::to_string(i) + ".count"); ++i)
   {
     const std::string path = "left_out." + std::to_string(i);
     const std::optional<double> distance = report.Number(path + ".distance");
-    const bool isCovered = distance && *distance <= report.Number("proof.upper").value_or(0.0);
-    text += (isCovered ? " Left out, but within the bound: " : " Not proved: ") +
-      EscapedXml(report.Text(path + ".sentence")) + ".";
+    entries.push_back({ EscapedXml(report.Text(path + ".sentence")),
+      distance && *distance <= report.Number("proof.upper").value_or(0.0) });
+  }
+  return entries;
+}
+
+std::string LeftOutText(const ReportFields& report)
+{
+  std::string text;
+  for (const LeftOutEntry& entry : LeftOutEntries(report))
+  {
+    text += (entry.IsCovered ? " Left out, but within the bound: " : " Not proved: ") +
+      entry.Sentence + ".";
   }
   return text;
 }
@@ -108,15 +118,18 @@ std::string HeadlineWord(const ReportFields& report)
                             : "proved, but perhaps farther than requested";
 }
 
-/// Whether the bound is not of everything.
+/// What the bound does not cover.
 std::string ExceptionsText(const ReportFields& report)
 {
   const std::string boundaries = report.Text("proof.boundaries");
-  const bool isWhole = (boundaries == "neither" || boundaries == "both") &&
-    LeftOutText(report).find("Not proved") == std::string::npos;
-  return !isWhole             ? " There are exceptions: see <em>What is proved</em>."
-    : boundaries == "neither" ? ""
-                              : " Open boundaries are as close to each other.";
+  const bool areCovered = boundaries == "neither" || boundaries == "both";
+  std::string exceptions = areCovered ? "" : "open boundaries";
+  for (const LeftOutEntry& entry : LeftOutEntries(report))
+  {
+    exceptions += entry.IsCovered ? "" : (exceptions.empty() ? "" : "; ") + entry.Sentence;
+  }
+  return (boundaries == "both" ? " Open boundaries are as close to each other." : "") +
+    (exceptions.empty() ? "" : " <a href=\"#proved\">Exceptions</a>: " + exceptions + ".");
 }
 
 std::string BoundsTable(const ReportFields& report)
@@ -142,6 +155,19 @@ std::string BoundsTable(const ReportFields& report)
 }
 }
 
+std::string ReasonWithoutProof(const ReportFields& report)
+{
+  const std::string error = report.Text("options.MaximumError");
+  const std::string preset = report.Text("options.ErrorPreset");
+  const bool wantsBound = (!error.empty() && error != "0") ||
+    (!preset.empty() && preset != "None") || !report.Text("options.ToleranceArrayName").empty();
+  return !wantsBound ? "no largest error was requested"
+    : report.Text("options.ProveResult") == "on"
+    ? "mode " + report.Text("options.Mode") + " proves no largest error"
+    : "the proof was switched off (ProveResult)";
+}
+
+//------------------------------------------------------------------------------
 std::string ErrorHeadline(const ReportFields& report)
 {
   const std::optional<std::string> upper = ProvedText(report);

@@ -14,6 +14,9 @@
 
 namespace bonedecimate
 {
+/// Why a run has no proof, as text.
+std::string ReasonWithoutProof(const ReportFields& report);
+
 /// How far the surfaces are apart: one number and whether it is proved or measured, and why it is
 /// not proved.
 std::string ErrorHeadline(const ReportFields& report);

@@ -115,4 +115,12 @@ std::vector<std::string> ReportFields::NamesBelow(const std::string& beginning) 
   }
   return names;
 }
+
+//------------------------------------------------------------------------------
+std::optional<double> CountBeforePruning(const ReportFields& report, const std::string& what)
+{
+  const std::optional<double> count = report.Number("input." + what);
+  return count ? std::optional<double>(*count + report.Number("pruned." + what).value_or(0.0))
+               : count;
+}
 }

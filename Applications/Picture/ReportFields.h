@@ -49,6 +49,9 @@ private:
 
   std::vector<Field> Fields; // in the order of the report
 };
+
+/// A count of the input, "triangles" or "components", before components were pruned.
+std::optional<double> CountBeforePruning(const ReportFields& report, const std::string& what);
 }
 
 #endif

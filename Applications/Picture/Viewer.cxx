@@ -126,14 +126,20 @@ public:
     };
     return "In this view positions are rounded by up to " +
       bound(0.5 * this->Grid.Step * std::sqrt(3.0)) +
-      (this->Distances.Range > 0.0
-          ? " and distances down by up to " + bound(this->Distances.Range / (Colors - 1)) +
-            "; the files have them whole. Between points, colors are interpolated: inside a large "
+      (this->Distances.Range > 0.0 ? " and distances down by up to " +
+            bound(this->Distances.Range / (Colors - 1)) + "; the files have them whole. " +
+            (this->IsCapped() ? "Distances above " + ShortText(this->Distances.Range) +
+                  " mm have the color of the end. "
+                              : std::string()) +
+            "Between points, colors are interpolated: inside a large "
             "triangle the distance may be smaller or larger."
-          : "; the files have them whole.");
+                                   : "; the files have them whole.");
   }
 
 private:
+  /// Whether the colors end below the largest distance.
+  bool IsCapped() const { return this->Distances.Largest > this->Distances.Range; }
+
   static vtkBoundingBox BoxOf(const ViewerSubject& subject)
   {
     vtkBoundingBox box;
@@ -260,8 +266,8 @@ private:
     const double threshold =
       this->Subject.Threshold > 0.0 ? this->Subject.Threshold : FirstThreshold * largest;
     const double step = (Colors - 1) * std::min(1.0, threshold / this->Distances.Range);
-    return { { "range", this->Distances.Range }, { "threshold", static_cast<int>(step) },
-      { "colors", colors } };
+    return { { "range", this->Distances.Range }, { "isCapped", this->IsCapped() },
+      { "threshold", static_cast<int>(step) }, { "colors", colors } };
   }
 
   const ViewerSubject& Subject;

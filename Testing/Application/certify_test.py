@@ -94,6 +94,12 @@ class Certify(ApplicationTest):
         self.assertAlmostEqual(found["reference"]["volume"] / measured.GetVolume(), 1, 2)
         self.assertEqual(found["units"]["reference.volume"], "mm3")
         page = self.path("c.html").read_text(encoding="utf-8")
+        self.assertIn("<div><strong>2 instead of 1</strong>components (separate pieces) in the result</div>", page)
+        said = self.succeed("certify", "crossed.ply", "whole.ply", "--page", "lost.html").stdout
+        self.assertIn("components           1, the reference has 2\n", said)
+        lost = self.path("lost.html").read_text(encoding="utf-8")
+        self.assertIn("<div class=\"lost\"><strong>1 of 2</strong>components (separate pieces) in the result</div>", lost)
+        self.assertIn("<div class=\"headline\"><strong>at most ", lost)
         for words in ("Intersecting pairs of triangles", "Where the two surfaces are farthest apart", "&plusmn;", "@media print"):
             self.assertIn(words, page)
         self.assertTrue("<script type=\"application/octet-stream\"" in page or "viewer-stage" not in page)

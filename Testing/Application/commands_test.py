@@ -60,6 +60,8 @@ class Commands(ApplicationTest):
         for command in COMMANDS:
             self.assertEqual(self.succeed("help", command).stdout, self.succeed(command, "--help").stdout)
         self.assertRegex(self.succeed("help", "max-error").stdout, r"^  --max-error MM\|")
+        self.assertEqual(self.succeed("help", "--max-error").stdout, self.succeed("help", "max-error").stdout)
+        self.assertEqual(self.succeed("help", "exit").stdout, self.succeed("help", "exit-codes").stdout)
         self.fail_with(USAGE, "help", "max-eror", says="did you mean max-error?")
         self.fail_with(USAGE, "help", "zzz", says="bonedecimate help lists them")
 

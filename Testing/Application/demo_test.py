@@ -6,7 +6,7 @@ import json
 
 from application import NOT_WRITTEN, ApplicationTest, main
 
-FILES = ["bone.stl", "bone.vtp", "ct.mha", "report.html", "report.json"]
+FILES = ["bone.stl", "bone.vtp", "ct.mha", "labels.mha", "report.html", "report.json"]
 
 
 class Demo(ApplicationTest):
@@ -27,7 +27,7 @@ class Demo(ApplicationTest):
         self.succeed("demo", "first/result")
         self.assertEqual(sorted(file.name for file in self.path("first/result").iterdir()), FILES)
         self.path("taken").write_text("a file", encoding="utf-8")
-        self.fail_with(NOT_WRITTEN, "demo", "taken", says="could not write 'taken/ct.mha'")
+        self.fail_with(NOT_WRITTEN, "demo", "taken", says="could not write 'taken/labels.mha'")
 
 
 if __name__ == "__main__":

@@ -119,6 +119,13 @@ class Explain(ApplicationTest):
         said = self.explain("bone.mha", "out.stl", "--iso", "bone", "--preset", "HalfVoxel")
         self.assertIn(" voxels of ", said["input"][0])
         self.assertIn("the smallest voxel spacing, of the volume", said["bound"][0])
+        coarser = "larger if a neural network made the labels on a coarser grid"
+        for choice, is_there in (("auto", True), ("off", False)):
+            said = self.explain("bone_map.mha", "segments", "--segments", "all", "--preset", "HalfVoxel", "--model-grid", choice)
+            self.assertIn("the smallest voxel spacing, of the volume", said["bound"][0])
+            self.assertEqual(said["bound"][1:], [coarser] if is_there else [])
+        said = self.explain("bone_map.mha", "segments", "--segments", "all", "--preset", "HalfVoxel", "--model-grid", 2)
+        self.assertEqual(said["bound"], ["HalfVoxel of the smallest voxel spacing of the neural network's grid"])
         said = self.explain("bone_map.mha", "segments", "--segments", "all")
         self.assertIn("'segments': a surface for each segment, vtp", said["writes"][0])
 

@@ -21,6 +21,9 @@ class Prune(ApplicationTest):
     def test_what_went_is_listed(self):
         words = ("--prune-size", 25, "--report", "report.json", "--page", "page.html", "--max-error", 0.5)
         said = self.succeed("in.ply", "out.ply", *words).stdout
+        whole = self.report()["input"]["triangles"] + self.report()["pruned"]["triangles"]
+        self.assertIn(f"triangles       {whole:,} -> ", said)
+        self.assertIn("components      1 of 2 kept, 1 pruned on request\n", said)
         self.assertRegex(said, r"pruned          1 components, \d+ triangles\n  \d+ triangles, ")
         pruned = self.report()["pruned"]
         self.assertEqual((pruned["components"], len(pruned["list"])), (1, 1))
@@ -29,7 +32,11 @@ class Prune(ApplicationTest):
         self.assertLess(pruned["list"][0]["size"], 25)
         self.assertEqual(self.report()["units"]["pruned.list.0.size"], "mm")
         self.assertEqual(self.report()["proof"]["status"], "proved")
-        self.assertIn("Components left out", self.path("page.html").read_text(encoding="utf-8"))
+        page = self.path("page.html").read_text(encoding="utf-8")
+        self.assertIn("Components left out", page)
+        self.assertIn("<div class=\"lost\"><strong>1 of 2</strong>components (separate pieces) kept, 1 pruned on request</div>", page)
+        self.assertRegex(page, "<a href=\"#proved\">Exceptions</a>: 1 pruned component")
+        self.assertIn("<section id=\"proved\">", page)
         self.assertLess(read(self.path("out.ply")).GetBounds()[1], 30.0)
 
     def test_the_page_concerns_what_is_left(self):
@@ -38,7 +45,7 @@ class Prune(ApplicationTest):
         page = self.path("page.html").read_text(encoding="utf-8")
         left = self.report()["input"]["triangles"]
         self.assertEqual(left, torus().GetNumberOfPolys())
-        self.assertIn(f" % of {left:,}</div>", page)
+        self.assertIn(f" % of {left + self.report()['pruned']['triangles']:,}</div>", page)
         if "viewer-scene" in page:
             self.assertIn(f'"caption":"Before: {left:,} triangles"', page)
         farthest = float(re.search(r"the farthest at ([\d.]+) mm", page).group(1))

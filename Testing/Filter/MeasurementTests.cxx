@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -108,6 +109,28 @@ TEST(Measurement, OverTheAreaAgreesWithTheLocatorInBothDirections)
     vtkPolyData* output = run.Output();
     ExpectReported(run, "output_to_input", MeasureWithVtk(output, input));
     ExpectReported(run, "input_to_output", MeasureWithVtk(input, output));
+  }
+}
+
+TEST(Measurement, ThePositionOfTheLargestDistanceHasThatDistance)
+{
+  const vtkSmartPointer<vtkPolyData> input = PolyData(HeightField(24, 1.0, 5));
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    const double* const p = input->GetPoint(i);
+    input->GetPoints()->SetPoint(i, p[0] + 100.0, p[1] - 200.0, p[2] + 300.0);
+  }
+  FilterRun run(input);
+  run->MeasureDistancesOn();
+  vtkPolyData* output = run.Output();
+  for (const auto& [direction, from, to] : { std::tuple("output_to_input", output, input.Get()),
+         std::tuple("input_to_output", input.Get(), output) })
+  {
+    const std::string path = std::string("distance.") + direction + ".max";
+    const Vector3 at = { run.Value(path + "_at.0"), run.Value(path + "_at.1"),
+      run.Value(path + "_at.2") };
+    EXPECT_NEAR(LocatorDistances({ at }, to)[0], run.Value(path), 1e-5) << direction;
+    EXPECT_NEAR(LocatorDistances({ at }, from)[0], 0.0, 1e-5) << direction;
   }
 }
 

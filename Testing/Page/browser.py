@@ -131,6 +131,9 @@ class Browser:
         source = {"type": "pointer", "id": kind, "parameters": {"pointerType": kind}, "actions": actions}
         self.command("POST", "/actions", {"actions": [source]})
 
+    def resize(self, width, height):
+        self.protocol("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+
     def scroll(self, selector, amount):
         step = {"type": "scroll", "x": 0, "y": 0, "deltaX": 0, "deltaY": amount, "origin": {ELEMENT: self.find(selector)}}
         self.command("POST", "/actions", {"actions": [{"type": "wheel", "id": "wheel", "actions": [step]}]})

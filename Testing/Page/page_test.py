@@ -173,6 +173,16 @@ class Page(unittest.TestCase):
         self.assertEqual("Before: 9,120 triangles", self.browser.text("#viewer-before"))
         self.assertEqual(self.browser.text("#viewer-after"), "After: 1,500 triangles")
 
+    def test_shows_the_whole_after_the_window_has_another_shape(self):
+        with Browser(*chromium.SOFTWARE, "--window-size=1280,500") as browser:
+            browser.open(self.folder / "balls.html")
+            browser.resize(900, 1000)
+            browser.run("return new Promise((done) => setTimeout(done, 500))")
+            seen = drawn(browser.picture(STAGE)[60:-120, 2:-2])
+            self.assertGreater(seen.mean(), 0.05)
+            for half in np.array_split(seen, 2, axis=1):
+                self.assertFalse(half[:, [0, 1, -2, -1]].any())
+
     def test_turns_moves_and_zooms(self):
         self.open("balls.html")
         self.assertGreater(self.change(lambda: self.browser.point(STAGE, [(0, 0), "pointerDown", (120, 20), "pointerUp"])), 2000)
@@ -262,7 +272,7 @@ class Page(unittest.TestCase):
         buttons = self.browser.run("return [...document.querySelectorAll('#viewer-farthest button')].map((button) => button.textContent)")
         self.assertEqual(buttons, [f"{distance} at {where}" for distance, where, _ in rows])
         report = json.loads((self.folder / "near/report.json").read_text(encoding="utf-8"))
-        farthest = max(report["distance"][way]["point_max"] for way in ("input_to_output", "output_to_input"))
+        farthest = max(report["distance"][way]["max"] for way in ("input_to_output", "output_to_input"))
         self.assertTrue(0 <= farthest - float(rows[0][0]) < 2e-4)
         self.assertTrue({label for row in rows for label in row[2].split(", ")} <= {"1", "2", "3"})
         before = self.picture()[40:-80]

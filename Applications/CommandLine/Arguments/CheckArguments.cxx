@@ -17,6 +17,7 @@
 #include "MemoryArguments.h"
 #include "Options/OptionTable.h"
 #include "Options/UnmetNeeds.h"
+#include "Picture.h"
 #include "Segments/SegmentOutput.h"
 
 #include <algorithm>
@@ -104,6 +105,8 @@ void CheckOneBone(const Arguments& arguments)
       ExtensionsThat(&SurfaceFormat::HoldsArrays));
   RequireUsage(arguments.Picture.empty() || ExtensionOf(arguments.Picture) == "png",
     "--picture '" + arguments.Picture + "' needs the extension png");
+  RequireUsage(
+    arguments.Picture.empty() || WhyNoPictures().empty(), "--picture: " + WhyNoPictures());
   RequireUsage(arguments.Reference.empty() || arguments.Options.BoundsError(),
     "--reference needs --max-error or --preset, in every mode but " +
       ModeNamesWhere([](const ModeInfo& mode) { return !mode.ProvesError(); }));

@@ -82,18 +82,25 @@ std::string TopicHelp(const CLI::App& program, const HelpTopic& topic)
     (text.empty() || text.back() == '\n' ? "" : "\n");
 }
 
-/// Empty if nothing has that name.
+/// Empty if nothing has that name, or a topic begins with it.
 std::string HelpAbout(const CLI::App& program, const std::string& word)
 {
+  const HelpTopic* beginsWithIt = nullptr;
   for (const HelpTopic& topic : HelpTopics())
   {
     if (topic.Word == word)
     {
       return TopicHelp(program, topic);
     }
+    if (topic.Word.compare(0, word.size(), word) == 0 && beginsWithIt == nullptr)
+    {
+      beginsWithIt = &topic;
+    }
   }
   const CLI::App* const command = FindCommand(program, word);
-  return command != nullptr ? command->help() : OptionEntries(DefaultApp(program), { word });
+  const std::string text =
+    command != nullptr ? command->help() : OptionEntries(DefaultApp(program), { word });
+  return text.empty() && beginsWithIt != nullptr ? TopicHelp(program, *beginsWithIt) : text;
 }
 
 void PrintHelp(const CLI::App& program, const std::string& word)
@@ -176,6 +183,18 @@ std::string ShortHelp(const CLI::App& program)
     "them.\nThis software is not a medical device.\n";
 }
 
+//------------------------------------------------------------------------------
+std::vector<std::string> WithOptionAsWord(std::vector<std::string> words)
+{
+  const bool isHelp = words.size() == 2 && words[0] == "help" && words[1].size() > 2;
+  if (isHelp && words[1] != "--help" && words[1].compare(0, 2, "--") == 0)
+  {
+    words[1].erase(0, 2);
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
 void AddHelpCommand(CLI::App& program)
 {
   CLI::App& command = AddCommand(program, "help", { "[TOPIC|COMMAND|OPTION]" },

@@ -28,6 +28,9 @@ const std::vector<HelpTopic>& HelpTopics();
 /// The help of -h: usage, commands, and the names of the options by topic.
 std::string ShortHelp(const CLI::App& program);
 
+/// "help --max-error" as "help max-error"; anything else as it is.
+std::vector<std::string> WithOptionAsWord(std::vector<std::string> words);
+
 /// Adds the command help, which explains a topic, a command or an option.
 void AddHelpCommand(CLI::App& program);
 }

@@ -11,6 +11,7 @@
 #include "Formats/FileChecks.h"
 #include "Formats/FileFrame.h"
 #include "LeftOutOfReader.h"
+#include "NumberText.h"
 #include "Picture.h"
 #include "PlainText.h"
 #include "Report/JsonReport.h"
@@ -98,7 +99,9 @@ void CertifyRun::Compare()
   this->Filter->SetMeasureMeans(!this->Requested.WithoutMeans);
   this->Filter->SetMeanPrecision(this->Requested.Precision);
   this->Filter->SetNumberOfThreads(this->Requested.Threads);
-  this->Filter->SetMeasureSurfaces(!this->Requested.Json.empty() || !this->Requested.Page.empty());
+  const bool hasFile = !this->Requested.Json.empty() || !this->Requested.Page.empty();
+  this->Filter->SetMeasureSurfaces(
+    hasFile || !(this->Requested.Quiet || this->Requested.FirstProof));
   const Progress progress = this->Requested.Quiet ? Progress::Hidden : Progress::Bar;
   this->Filter->SetFollowBounds(ProgressDisplay::IsBar(progress));
   const VtkMessages messages = UpdateUntilInterrupted(
@@ -246,6 +249,14 @@ void CertifyRun::TellDistance() const
   {
     std::cout << "boundaries           only the "
               << (boundaries == "result_only" ? "result" : "reference") << " has some\n";
+  }
+  if (const double components = this->Value("result.components"); !std::isnan(components))
+  {
+    const auto count = [this](const char* name) { return GroupedText(this->Value(name)); };
+    std::cout << "components           " << count("result.components") << ", the reference has "
+              << count("reference.components") << "\n"
+              << "triangles            " << count("result.triangles") << ", the reference has "
+              << count("reference.triangles") << "\n";
   }
   for (int i = 0; !this->LeftOut(i).empty(); ++i)
   {

@@ -28,14 +28,11 @@ namespace
 constexpr const char* ThresholdOfBone = "226"; // HU
 constexpr const char* LargestError = "0.5";    // mm
 
-/// @return The path of the CT.
-std::string WriteScanInto(const std::string& folder)
+std::string WriteScan(const std::string& path, phantom::Content content)
 {
   std::error_code error;
-  std::filesystem::create_directories(FilePath(folder), error);
-  std::string path = folder + "/ct.mha";
-  if (error ||
-    !phantom::WriteScan(path, *phantom::FindScan("small"), phantom::Content::Intensities))
+  std::filesystem::create_directories(FilePath(path).parent_path(), error);
+  if (error || !phantom::WriteScan(path, *phantom::FindScan("small"), content))
   {
     throw Failure(ExitCode::CouldNotWrite, "could not write '" + path + "'");
   }
@@ -45,7 +42,9 @@ std::string WriteScanInto(const std::string& folder)
 void Run(const std::string& folder)
 {
   Arguments arguments;
-  arguments.Inputs = { WriteScanInto(folder), folder + "/bone.vtp" };
+  WriteScan(folder + "/labels.mha", phantom::Content::Labels);
+  arguments.Inputs = { WriteScan(folder + "/ct.mha", phantom::Content::Intensities),
+    folder + "/bone.vtp" };
   arguments.Also = { folder + "/bone.stl" };
   arguments.Report = folder + "/report.json";
   arguments.Page = folder + "/report.html";
@@ -68,9 +67,9 @@ void AddDemoCommand(CLI::App& program)
 {
   const auto folder = std::make_shared<std::string>("bonedecimate-demo");
   CLI::App& command = AddCommand(program, "demo", { "[FOLDER]" },
-    "Writes the CT of a phantom of a broken bone into a folder, and the bone with at most 0.5 mm "
-    "of "
-    "error, its report and its page; prints the command that does the same with another CT.");
+    "Writes the CT of a phantom of a broken bone into a folder, its label map, and the bone with "
+    "at most 0.5 mm of error, its report and its page; prints the command that does the same with "
+    "another CT.");
   command
     .add_option("FOLDER", *folder, WrappedHelp("Where the files go. Default bonedecimate-demo."))
     ->type_name("");

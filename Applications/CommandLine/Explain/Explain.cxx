@@ -130,8 +130,13 @@ void ExplainVolume(const Arguments& arguments, Explanation& explanation)
   explanation.Add("input",
     "'" + path + "': volume of " + size + " voxels of " + spacing +
       "; its triangles are not known before it is read");
-  const Options options =
-    ExplainBound(arguments, { nullptr, nullptr, arguments.Iso ? least : 0.0 }, explanation);
+  BoundSubject subject = { nullptr, nullptr, least };
+  if (!arguments.Iso && arguments.ModelGrid != "off")
+  {
+    subject.MayBeCoarser = true;
+    subject.VoxelSize = arguments.ModelGrid == "auto" ? least : 0.0;
+  }
+  const Options options = ExplainBound(arguments, subject, explanation);
   if (arguments.Memory > 0)
   {
     explanation.Add(

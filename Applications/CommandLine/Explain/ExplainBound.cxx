@@ -73,7 +73,7 @@ void ExplainTolerances(
 
 /// Replaces the preset by the largest error.
 void ExplainPreset(
-  const Surface& surface, double voxelSize, Options& options, Explanation& explanation)
+  const Surface& surface, const BoundSubject& subject, Options& options, Explanation& explanation)
 {
   if (options.ErrorPreset == ErrorPreset::NoPreset)
   {
@@ -81,24 +81,27 @@ void ExplainPreset(
   }
   const std::string preset = OptionText(options, *FindOption("ErrorPreset"));
   const double requested = options.MaximumError;
-  if (options.VoxelSize == 0.0 && voxelSize == 0.0 && surface.Points.empty())
+  if (options.VoxelSize == 0.0 && subject.VoxelSize == 0.0 && surface.Points.empty())
   {
-    explanation.Add("bound",
-      preset +
-        " of the smallest voxel spacing, which is estimated when the surface has been extracted");
+    explanation.Add(
+      "bound", preset + " of the smallest voxel spacing of the neural network's grid");
     return;
   }
   const bool isTyped = options.VoxelSize > 0.0;
-  options.VoxelSize = isTyped ? options.VoxelSize : voxelSize;
+  options.VoxelSize = isTyped ? options.VoxelSize : subject.VoxelSize;
   const VoxelFigures voxel = ApplyPreset(surface, options);
   const std::string source = isTyped           ? "of --voxel-size"
-    : voxelSize > 0.0                          ? "of the volume"
+    : subject.VoxelSize > 0.0                  ? "of the volume"
     : voxel.From == VoxelFigures::Source::Grid ? "estimated from the grid planes in the surface"
                                                : "estimated from the lengths of edges";
   explanation.Add("bound",
     LengthText(options.MaximumError) + ": " + preset + " of " + LengthText(voxel.Size) +
       ", the smallest voxel spacing, " + source +
       (requested > 0.0 && requested <= options.MaximumError ? "; --max-error is smaller" : ""));
+  if (subject.MayBeCoarser && !isTyped)
+  {
+    explanation.Add("bound", "larger if a neural network made the labels on a coarser grid");
+  }
 }
 
 std::string SourceText(SmoothingFigures::Source source)
@@ -190,7 +193,7 @@ Options ExplainBound(
   }
   const Surface surface =
     subject.Surface != nullptr ? ToSurface(subject.Surface, 1).Surface : Surface();
-  ExplainPreset(surface, subject.VoxelSize, options, explanation);
+  ExplainPreset(surface, subject, options, explanation);
   ExplainReference(arguments, explanation);
   ExplainVoxels(arguments, options, explanation);
   if (subject.Surface == nullptr)

@@ -23,6 +23,7 @@ struct BoundSubject
   vtkPolyData* Surface;
   vtkPolyData* InFile;
   double VoxelSize;
+  bool MayBeCoarser = false; ///< If the labels are those of a neural network's grid.
 };
 
 /// @return The options of the run, with the largest error that it keeps.

@@ -10,6 +10,7 @@
 #include "Formats/FileParts.h"
 #include "Formats/FileUnit.h"
 #include "Formats/SurfaceFormat.h"
+#include "NamedLabels.h"
 #include "Terminal/VtkMessages.h"
 
 #include "vtkCellArray.h"
@@ -142,12 +143,17 @@ std::string ArrayLoss(vtkPolyData* surface, const SurfaceFormat& format)
   {
     names += " and " + std::to_string(missing.size() - mostNamed) + " more";
   }
-  const bool losesFrame = std::find(missing.begin(), missing.end(), "SPACE") != missing.end();
+  const auto isMissing = [&missing](const char* name)
+  { return std::find(missing.begin(), missing.end(), name) != missing.end(); };
   return missing.empty() ? std::string()
                          : "cannot hold arrays (" + names + "); " +
       ExtensionsThat(&SurfaceFormat::HoldsArrays) + " can" +
-      (losesFrame ? "; so the file does not say that its axes are " + FrameOf(surface)
-                  : std::string());
+      (isMissing("SPACE") ? "; so the file does not say that its axes are " + FrameOf(surface)
+                          : std::string()) +
+      (isMissing(LabelsOfSidesName)
+          ? "; walls between labels are inside the surface: a folder, or 3mf, has a closed surface "
+            "for each label"
+          : "");
 }
 
 std::string CellLoss(vtkPolyData* surface, const SurfaceFormat& format)

@@ -6,6 +6,7 @@
 #include "NumberText.h"
 #include "PartSection.h"
 #include "PlainText.h"
+#include "ProofSection.h"
 #include "ReportFields.h"
 #include "VoxelSection.h"
 
@@ -23,14 +24,18 @@ std::string Count(const ReportFields& report, const std::string& name)
 
 void PrintTriangles(const ReportFields& report)
 {
-  std::cout << "triangles       " << Count(report, "input.triangles") << " -> "
+  std::cout << "triangles       "
+            << GroupedText(CountBeforePruning(report, "triangles").value_or(0.0)) << " -> "
             << Count(report, "output.triangles") << "\n";
 }
 
 void PrintComponents(const ReportFields& report)
 {
+  const bool wasPruned = report.Number("pruned.components").value_or(0.0) > 0.0;
   std::cout << "components      " << Count(report, "output.components") << " of "
-            << Count(report, "input.components") << " kept\n";
+            << GroupedText(CountBeforePruning(report, "components").value_or(0.0)) << " kept"
+            << (wasPruned ? ", " + Count(report, "pruned.components") + " pruned on request" : "")
+            << "\n";
 }
 
 /// Labels touch, so the components of a surface with labels say little.
@@ -295,10 +300,10 @@ void PrintEdges(const ReportFields& report)
 /// With all that it does not cover.
 void PrintProof(const ReportFields& report)
 {
-  if (report.Number("proof.upper"))
-  {
-    std::cout << "proved          " << PlainText(report.Text("proof.sentence")) << "\n";
-  }
+  std::cout << "proved          "
+            << (report.Number("proof.upper") ? PlainText(report.Text("proof.sentence"))
+                                             : "nothing: " + ReasonWithoutProof(report))
+            << "\n";
 }
 
 void PrintCoordinates(const ReportSubject& subject)

@@ -200,6 +200,11 @@ public:
     {
       return;
     }
+    this->PictureProblem = WhyNoPictures();
+    if (!this->PictureProblem.empty())
+    {
+      return; // none was requested, and the page says that it has none
+    }
     PictureSubject picture;
     const vtkSmartPointer<vtkPolyData> before = SurfaceBefore(this->Filter);
     picture.Before = before;

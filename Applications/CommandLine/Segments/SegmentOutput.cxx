@@ -5,6 +5,7 @@
 #include "Base/Text.h"
 #include "FilePath.h"
 #include "Files/FileNames.h"
+#include "Picture.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -67,6 +68,9 @@ void NameFilesOfFolder(Arguments& arguments)
   }
   name(arguments.Page, "index.html");
   arguments.PictureIsRequired = !arguments.Picture.empty();
-  name(arguments.Picture, "picture.png");
+  if (WhyNoPictures().empty())
+  {
+    name(arguments.Picture, "picture.png");
+  }
 }
 }

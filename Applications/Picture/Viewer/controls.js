@@ -53,7 +53,7 @@ export function lengthText(range, step) {
 }
 
 /** The bar of colors, from 0 to the end of the range; plain up to the threshold. */
-export function drawLegend({ range, colors }, threshold) {
+export function drawLegend({ range, colors, isCapped }, threshold) {
   const plain = `rgb(${PLAIN})`;
   const at = (step) => `${((100 * step) / 255).toFixed(1)}%`;
   const stops = colors.map((color, step) => [color, step]).filter(([, step]) => step >= threshold && step % 15 === 0);
@@ -61,9 +61,9 @@ export function drawLegend({ range, colors }, threshold) {
   find('viewer-bar').style.background = `linear-gradient(to right, ${bar})`;
   const ticks = [0, 0.25, 0.5, 0.75, 1].map((fraction) => String(Number((fraction * range).toPrecision(3))));
   find('viewer-ticks').replaceChildren(
-    ...ticks.map((tick) => {
+    ...ticks.map((tick, index) => {
       const element = document.createElement('span');
-      element.textContent = tick;
+      element.textContent = isCapped && index === ticks.length - 1 ? `\u2265 ${tick}` : tick;
       return element;
     })
   );

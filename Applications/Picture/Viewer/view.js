@@ -71,6 +71,7 @@ export class View {
   watchSize(onResize) {
     this.observer = new ResizeObserver(() => {
       if (this.fitCanvas()) {
+        this.keepZoom(this.fitted);
         onResize();
       }
     });
@@ -122,13 +123,20 @@ export class View {
   /** Side by side, both in one view on either side of a divider, or one of them. */
   compare(mode) {
     const isBeside = mode === 'sides';
-    const zoom = this.mode ? this.camera.getParallelScale() / this.fittingScale() : 1;
+    const fitted = this.mode ? this.fittingScale() : 0;
     this.mode = mode;
     this.renderers.before.setViewport(...(isBeside ? LEFT : WHOLE));
     this.renderers.after.setViewport(...(isBeside ? RIGHT : WHOLE));
     // In one view the surface after is drawn over what is there.
     this.renderers.after.setPreserveColorBuffer(!isBeside);
-    this.camera.setParallelScale(zoom * this.fittingScale());
+    this.keepZoom(fitted);
+  }
+
+  /** After a change of the views. @param fitted Scale that showed everything before; 0: there was none. */
+  keepZoom(fitted) {
+    const zoom = fitted > 0 ? this.camera.getParallelScale() / fitted : 1;
+    this.fitted = this.fittingScale();
+    this.camera.setParallelScale(zoom * this.fitted);
   }
 
   /** Half of the height that a view shows of the space, mm, if it shows everything. */

@@ -106,7 +106,11 @@ export class Viewer {
   valueAt(at) {
     const { distances } = this.scene;
     const distance = distances && this.pickAt(at)?.distance;
-    return typeof distance === 'number' ? `${lengthText(distances.range, distance)} mm` : '';
+    if (typeof distance !== 'number') {
+      return '';
+    }
+    const isCapped = distances.isCapped && distance > 254.5;
+    return `${lengthText(distances.range, distance)} mm${isCapped ? ' or more' : ''}`;
   }
 
   pickAt([x, y]) {

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Core_Figures_DistanceFigures_h
 #define BoneDecimate_Core_Figures_DistanceFigures_h
 
+#include <array>
 #include <cstdint>
 
 namespace bonedecimate
@@ -19,6 +20,7 @@ struct DistanceStatistics
 {
   /// Over all points and all area samples: a lower bound of the true maximum.
   double Maximum = 0.0;
+  std::array<double, 3> MaximumAt{}; ///< mm, the point or sample at which it was found.
   double Second = 0.0; ///< Second largest over the points alone, as in the tables of the thesis.
   double Mean = 0.0;   ///< Over the area samples.
   double RootMeanSquare = 0.0; ///< Over the area samples.

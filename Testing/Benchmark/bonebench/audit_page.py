@@ -118,7 +118,7 @@ def better(records: Sequence[Record]) -> str:
                           number(record["true_mm"]), count(record["fast_triangles"]),
                           f"{record['components']} of {record['input_components']}", count(record["self_intersecting_pairs"])])
     return markdown(["bone", "requested", "program", "triangles", "true mm", "Fast's triangles at the true distance", "components",
-                     "intersecting pairs"], lines) if lines else "No result.\n"
+                     "intersecting pairs"], lines) if lines else "None.\n"
 
 
 def faster(records: Sequence[Record]) -> str:

@@ -151,8 +151,8 @@ def readme_section(data: Records, run: dict[str, Any]) -> str:
     pieces = int(source["components"] or 1)
     text = ["## Comparison\n",
             f"The {bone} of a CT, {int(source['triangles']):,} triangles" + (f" in {pieces} components" if pieces > 1 else "")
-            + f", reduced to {int(count):,} on one thread; this project in bold. All distances are the\n"
-            "larger of both directions; H is the largest one. [All figures](Documentation/results/benchmark.md) "
+            + f", reduced to {int(count):,} on one thread; this project in bold. Each distance is the\n"
+            "larger of both directions; H is the Hausdorff distance. [All figures](Documentation/results/benchmark.md) "
             "(`Testing/Benchmark/run.sh`).\n",
             tables.summary(data["comparison"], (bone, count), full=False)]
     text += [f"{note}\n" for note in run["notes"] if "do not quote" in note and bone not in note]

@@ -16,6 +16,7 @@ from .document import DATA, IMAGES, RESULTS, ROOT
 from .records import Records, read_file
 
 README, EVIDENCE = ROOT / "README.md", ROOT / "Documentation" / "paper" / "evidence.md"
+FEATURES = (RESULTS / "measurements.md", RESULTS / "triangle-shapes.md")
 
 
 def with_parts(page: Path, parts: dict[str, str]) -> str:
@@ -32,6 +33,17 @@ def evidence(data: Records) -> dict[str, str]:
             "proved": tables.thesis_errors(data["errors"]), "thesis": tables.thesis_counts(data["comparison"])}
 
 
+def feature_tables() -> dict[str, str]:
+    """The tables of single features, each with its commits."""
+    parts = {}
+    for file in (RESULTS / DATA).glob("features-*.csv"):
+        rows = read_file(file)
+        commits = ", ".join(dict.fromkeys(row.pop("commit") for row in rows))
+        table = tables.markdown(list(rows[0]), [[tables.cell(value) for value in row.values()] for row in rows])
+        parts[file.stem.split("-", 1)[1]] = f"\n{table}\nCommit: {commits}. Data: [{file.name}]({DATA}/{file.name}).\n\n"
+    return parts
+
+
 def generated() -> dict[Path, str]:
     """The text of each page."""
     data, run = records.read(RESULTS / DATA)
@@ -40,7 +52,7 @@ def generated() -> dict[Path, str]:
                 "audit": audit_page.readme_section(read_file(RESULTS / DATA / audit_page.FILES[0]))}
     return {RESULTS / "benchmark.md": document.page(data, run, plots, "../images"), RESULTS / "thesis.md": document.thesis_page(data),
             RESULTS / "audit.md": audit_page.page(RESULTS / DATA), README: with_parts(README, sections),
-            EVIDENCE: with_parts(EVIDENCE, evidence(data))}
+            EVIDENCE: with_parts(EVIDENCE, evidence(data)), **{page: with_parts(page, feature_tables()) for page in FEATURES}}
 
 
 def write() -> None:

@@ -33,6 +33,16 @@ def count(value: str | None) -> str:
     return f"{int(value):,}" if value else "-"
 
 
+def cell(value: str) -> str:
+    """A text as it is, a whole number with separators, or a number with three digits."""
+    if re.fullmatch(r"-?[0-9]+", value):
+        return f"{int(value):,}"
+    try:
+        return number(value)
+    except ValueError:
+        return value
+
+
 def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A table; the first column to the left, figures to the right."""
     lines = ["| " + " | ".join(head) + " |", "|---" + "|---:" * (len(head) - 1) + "|"]

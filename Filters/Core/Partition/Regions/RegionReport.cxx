@@ -71,7 +71,11 @@ DistanceStatistics CombineDistances(
     const DistanceStatistics& one = part->Result.Report.*direction.Distance;
     const SurfaceStatistics& of = part->Result.Report.*direction.Measured;
     const auto points = static_cast<double>(of.Points);
-    all.Maximum = std::max(all.Maximum, one.Maximum);
+    if (one.Maximum >= all.Maximum)
+    {
+      all.Maximum = one.Maximum;
+      all.MaximumAt = one.MaximumAt;
+    }
     all.Mean += one.Mean * of.Area;
     squares += one.RootMeanSquare * one.RootMeanSquare * of.Area;
     all.PointMean += one.PointMean * points;

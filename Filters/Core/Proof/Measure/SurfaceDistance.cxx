@@ -6,34 +6,50 @@
 #include "Base/Parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bonedecimate
 {
 namespace
 {
+std::array<double, 3> ToArray(const Vector3& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+
 struct Sum
 {
   double Distance = 0.0;        // mm
   double SquaredDistance = 0.0; // mm^2
   double Maximum = 0.0;         // mm
+  Vector3 At = Vector3::Zero(); // of the first sample with this distance
 
-  void Add(double squaredDistance)
+  void Add(double squaredDistance, const Vector3& sample)
   {
     const double distance = std::sqrt(squaredDistance);
     this->Distance += distance;
     this->SquaredDistance += squaredDistance;
-    this->Maximum = std::max(this->Maximum, distance);
+    this->TakeMaximum(distance, sample);
   }
   void Add(const Sum& other)
   {
     this->Distance += other.Distance;
     this->SquaredDistance += other.SquaredDistance;
-    this->Maximum = std::max(this->Maximum, other.Maximum);
+    this->TakeMaximum(other.Maximum, other.At);
+  }
+  void TakeMaximum(double distance, const Vector3& at)
+  {
+    if (distance > this->Maximum)
+    {
+      this->Maximum = distance;
+      this->At = at;
+    }
   }
 };
 
-void DescribePoints(const std::vector<double>& distances, DistanceStatistics& statistics)
+void DescribePoints(const std::vector<Vector3>& points, const std::vector<double>& distances,
+  DistanceStatistics& statistics)
 {
   double sum = 0.0;
   double squares = 0.0;
@@ -55,6 +71,11 @@ void DescribePoints(const std::vector<double>& distances, DistanceStatistics& st
   statistics.PointMean = sum / count;
   statistics.PointRootMeanSquare = std::sqrt(squares / count);
   statistics.Maximum = statistics.PointMaximum;
+  if (!distances.empty())
+  {
+    const auto largest = std::max_element(distances.begin(), distances.end());
+    statistics.MaximumAt = ToArray(points[static_cast<std::size_t>(largest - distances.begin())]);
+  }
 }
 }
 
@@ -85,7 +106,7 @@ DistanceStatistics MeasureDistance(const Surface& from, const std::vector<double
   const BoundingTree& to, std::int64_t samples, int threads, const Monitor& monitor)
 {
   DistanceStatistics statistics;
-  DescribePoints(pointDistances, statistics);
+  DescribePoints(from.Points, pointDistances, statistics);
   const AreaSamples placed(from.Points, from.Triangles, static_cast<std::size_t>(samples));
   const std::size_t count = placed.Count();
   std::vector<Sum> sums(NumberOfChunks(count));
@@ -97,7 +118,7 @@ DistanceStatistics MeasureDistance(const Surface& from, const std::vector<double
         [&](std::size_t, std::size_t, const Vector3& sample)
         {
           const BoundingTree::Nearest nearest = to.FindNearest(sample, hint);
-          sums[chunk].Add(nearest.Point.SquaredDistance);
+          sums[chunk].Add(nearest.Point.SquaredDistance, sample);
           hint = nearest.Triangle;
         });
     });
@@ -114,7 +135,11 @@ DistanceStatistics MeasureDistance(const Surface& from, const std::vector<double
   statistics.SamplesPerSquareMillimeter = static_cast<double>(count) / placed.Area();
   statistics.Mean = sum.Distance / static_cast<double>(count);
   statistics.RootMeanSquare = std::sqrt(sum.SquaredDistance / static_cast<double>(count));
-  statistics.Maximum = std::max(statistics.Maximum, sum.Maximum);
+  if (sum.Maximum > statistics.Maximum)
+  {
+    statistics.Maximum = sum.Maximum;
+    statistics.MaximumAt = ToArray(sum.At);
+  }
   return statistics;
 }
 }

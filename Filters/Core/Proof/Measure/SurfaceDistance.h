@@ -26,7 +26,7 @@ std::vector<double> PointDistances(
   const std::vector<Vector3>& points, const BoundingTree& to, int threads, const Monitor& monitor);
 
 /**
- * @param pointDistances mm, of the points that triangles of `from` use.
+ * @param pointDistances mm, of each point of `from`.
  * @param samples Their number; every triangle of `from` must have valid corners.
  * @return The statistics; Samples is 0 after an abort.
  */

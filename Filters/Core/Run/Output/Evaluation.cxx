@@ -152,14 +152,24 @@ private:
     return this->LocalReference;
   }
 
+  /// With the position in the coordinates of the input.
+  DistanceStatistics InFile(DistanceStatistics statistics) const
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      statistics.MaximumAt[axis] += this->Run.Cleaned.Origin[static_cast<int>(axis)];
+    }
+    return statistics;
+  }
+
   void MeasureThere(std::int64_t samples, double from, double to)
   {
     const int threads = this->Requested.NumberOfThreads;
     const Monitor tell = this->Progress.Stage(from, to);
     const auto measure = [&](const BoundingTree& tree)
     {
-      return MeasureDistance(
-        this->Run.LocalResult, this->Output.Distance, tree, samples, threads, tell);
+      return this->InFile(MeasureDistance(
+        this->Run.LocalResult, this->Output.Distance, tree, samples, threads, tell));
     };
     if (this->Run.Reference == nullptr)
     {
@@ -181,8 +191,8 @@ private:
     const double pointsAt = from + 0.3 * (to - from);
     const std::vector<double> distances = PointDistances(
       original.Points, tree, this->Requested.NumberOfThreads, this->Progress.Stage(from, pointsAt));
-    this->Output.Report.InputToOutput = MeasureDistance(original, distances, tree, samples,
-      this->Requested.NumberOfThreads, this->Progress.Stage(pointsAt, to));
+    this->Output.Report.InputToOutput = this->InFile(MeasureDistance(original, distances, tree,
+      samples, this->Requested.NumberOfThreads, this->Progress.Stage(pointsAt, to)));
     this->Output.Report.DistancesMeasured = this->Progress.ShouldContinue();
   }
 

@@ -73,9 +73,10 @@ std::vector<std::string> IdleWarnings(const Report& report)
 }
 
 /// Nothing was smoothed.
-std::vector<std::string> SmoothingWarnings(const SmoothingFigures& smoothing)
+std::vector<std::string> SmoothingWarnings(const Report& report)
 {
   using Source = SmoothingFigures::Source;
+  const SmoothingFigures& smoothing = report.Smoothing;
   std::vector<std::string> warnings;
   if (smoothing.From != Source::NotRequested && !smoothing.HasRun())
   {
@@ -83,6 +84,9 @@ std::vector<std::string> SmoothingWarnings(const SmoothingFigures& smoothing)
         ? "the surface was not smoothed: it is that of a gray-level volume, which holds more "
           "detail "
           "than its voxels (Smoothing smooths it anyway)"
+        : report.Labels.size() > 1
+        ? "the surface was not smoothed: it has several labels, which are smoothed in the run that "
+          "extracts them from their label map (Smoothing smooths it anyway)"
         : "the surface was not smoothed: it is not the unmodified surface of a binary segmentation "
           "(Smoothing smooths it anyway)");
   }
@@ -315,7 +319,7 @@ std::vector<std::string> InputWarnings(const Report& report)
   warnings.insert(warnings.end(), ofSize.begin(), ofSize.end());
   const std::vector<std::string> ofTunnels = TunnelWarnings(report.Tunnels);
   warnings.insert(warnings.end(), ofTunnels.begin(), ofTunnels.end());
-  const std::vector<std::string> ofSmoothing = SmoothingWarnings(report.Smoothing);
+  const std::vector<std::string> ofSmoothing = SmoothingWarnings(report);
   warnings.insert(warnings.end(), ofSmoothing.begin(), ofSmoothing.end());
   const std::vector<std::string> ofParts = PartWarnings(report.Parts);
   warnings.insert(warnings.end(), ofParts.begin(), ofParts.end());

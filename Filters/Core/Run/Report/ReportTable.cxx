@@ -53,6 +53,8 @@ void AddDistance(Entries& entries, const std::string& direction, const DistanceS
 {
   const std::string path = "distance." + direction;
   entries.push_back({ path + ".max", "mm", distance.Maximum });
+  AddPosition(entries, path + ".max_at",
+    { distance.MaximumAt[0], distance.MaximumAt[1], distance.MaximumAt[2] });
   entries.push_back({ path + ".second", "mm", distance.Second });
   entries.push_back({ path + ".mean", "mm", distance.Mean });
   entries.push_back({ path + ".rms", "mm", distance.RootMeanSquare });

@@ -42,8 +42,8 @@ struct ReportEntry
  *     weld     .{points, movement}, with WeldDistance
  *     output   .{faces ... volume, checksum}
  *     distance .{output_to_input, input_to_output}
- *                .{max, second, mean, rms, point_max, point_mean, point_rms, samples,
- *                  samples_per_mm2}
+ *                .{max, max_at.{0, 1, 2}, second, mean, rms, point_max, point_mean, point_rms,
+ *                  samples, samples_per_mm2}
  *              .{boundary_output_to_input, boundary_input_to_output}.{lower, upper}
  *     voxel    .{from, size, error, largest_error}
  *     smoothing.{surface, bound, ..., rounds}
