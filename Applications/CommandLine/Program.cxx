@@ -71,7 +71,7 @@ ExitCode Run(int argc, char* argv[])
   AddLevelsCommand(program);
   AddDiagnoseCommand(program, code);
   AddCapCommand(program);
-  AddSummaryCommand(program);
+  AddSummaryCommand(program, code);
   AddDemoCommand(program);
   AddHelpCommand(program);
   RunCommandLine(program, WithOptionAsWord(words));

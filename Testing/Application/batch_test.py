@@ -298,6 +298,12 @@ class Batch(ApplicationTest):
     def test_quiet_says_nothing(self):
         self.assertEqual(self.run_batch("bones", "out", "--quiet").stdout, "")
 
+    def test_failures_are_told_even_so(self):
+        self.path("bones/c.obj").write_text("v 0 0 0\nf 1 2 3\n", encoding="utf-8")
+        completed = self.run_program("bones", "out", "--quiet")
+        self.assertEqual((completed.returncode, completed.stdout), (REJECTED, ""))
+        self.assertRegex(completed.stderr, r"^c +failed .*\n$")
+
     def test_warnings_reach_the_table(self):
         text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3"
         (self.bones / "c.obj").write_text(text)

@@ -211,10 +211,15 @@ class CertifyFolders(ApplicationTest):
 
     def test_pairs_have_the_same_names(self):
         write(square(1.0), self.path("before/only_here.ply"))
-        text = self.succeed("certify", "before", "after", "--tolerance", 0.3, "--json", "c.json").stdout
-        self.assertRegex(text, r"(?m)^a: 0\.249999 to 0\.25000\d mm, proved$")
+        completed = self.run_program("certify", "before", "after", "--tolerance", 0.3, "--json", "c.json")
+        self.assertEqual(completed.returncode, REJECTED)
+        self.assertRegex(completed.stdout, r"(?m)^a: 0\.249999 to 0\.25000\d mm, proved$")
+        self.assertIn("only_here: 'after' has no surface of this name\n", completed.stdout)
+        self.assertIn("3 pairs: 2 proved, 1 not compared\n", completed.stdout)
         rows = self.report("c.json")
-        self.assertEqual([(row["name"], row["exit_code"]) for row in rows], [("a", 0), ("left/b", 0)])
+        self.assertEqual([(row["name"], row["exit_code"]) for row in rows], [("a", 0), ("left/b", 0), ("only_here", REJECTED)])
+        self.path("before/only_here.ply").unlink()
+        self.succeed("certify", "before", "after", "--tolerance", 0.3)
         self.assertAlmostEqual(rows[1]["certificate"]["upper"], 0.125, 6)
 
     def test_ends_with_the_worst_code(self):
@@ -227,10 +232,15 @@ class CertifyFolders(ApplicationTest):
 
     def test_a_result_without_its_reference_is_rejected(self):
         write(square(1.0), self.path("after/c.ply"))
-        self.fail_with(REJECTED, "certify", "before", "after", says="'before' has no surface of this name")
+        completed = self.run_program("certify", "before", "after")
+        self.assertEqual(completed.returncode, REJECTED)
+        self.assertIn("c: 'before' has no surface of this name\n", completed.stdout)
+        self.assertIn("3 pairs: 2 proved, 1 not compared\n", completed.stdout)
         self.path("after/c.ply").unlink()
         write(square(1.0), self.path("after/a.ply"))
-        self.fail_with(REJECTED, "certify", "before", "after", says="there are several surfaces of this name")
+        completed = self.run_program("certify", "before", "after")
+        self.assertEqual(completed.returncode, REJECTED)
+        self.assertIn("a: 'after' has several surfaces of this name\n", completed.stdout)
         self.path("empty").mkdir()
         self.fail_with(REJECTED, "certify", "before", "empty", says="no surface is in it")
         self.fail_with(USAGE, "certify", "before", "after", "--page", "c.html", says="--page is for one result")

@@ -162,6 +162,11 @@ class Segments(ApplicationTest):
             self.assertEqual(colors.GetTuple(cell), COLORS[labels.GetTuple(cell)[0]])
         self.assertNotIn("file", self.report()["segments"]["list"][0])
 
+    def test_a_limit_too_small_to_smooth_is_named(self):
+        for error, is_small in ((0.02, True), ("halfvoxel", False)):
+            said = self.succeed("map.vti", "all.vtp", "--segments", "all", "--smooth", "auto", "--max-error", error).stdout
+            self.assertEqual("too small for the steps of the voxels" in said, is_small, said)
+
     def test_blocks_have_names(self):
         self.succeed("map.vti", "bones.vtm", "--segments", "all", "--target-reduction", 0.5, "--measure", "off")
         self.assertEqual([name for name in self.names() if name.startswith("bones")],

@@ -110,6 +110,36 @@ class SharedBatch(ApplicationTest):
             self.assertIn("was rejected", line)
         self.assertFalse(self.path("out/.bonedecimate").exists())
 
+    def test_a_folder_in_use_takes_no_batch_with_other_options(self):
+        other = self.path("out/.bonedecimate/1.batch")
+        other.mkdir(parents=True)
+        (other / "options").write_text("--max-error 0.3", encoding="utf-8")
+        self.fail_with(USAGE, "studies", "out", *REDUCED, says="'out' is in use by a batch with other options (--max-error 0.3), or was until a minute ago")
+        self.assertFalse(self.path("out/summary.csv").exists())
+        (other / "options").write_text("--measure off --target-reduction 0.5", encoding="utf-8")
+        self.end([self.start("--jobs", "2")])
+        (other / "options").write_text("--max-error 0.3", encoding="utf-8")
+        os.utime(other, (time.time() - 120,) * 2)
+        self.end([self.start()])
+
+    def test_shards_know_what_the_others_made(self):
+        self.path("studies/0/00.stl").write_bytes(b"no surface")
+        self.assertEqual(self.run_program("studies", "out", *REDUCED, "--shard", "1/2").returncode, REJECTED)
+        self.succeed("studies", "out", *REDUCED, "--shard", "2/2")
+        (failed,) = [row for row in self.rows() if row["status"] == "failed"]
+        self.assertEqual((failed["name"], failed["exit_code"]), ("0/00", str(REJECTED)))
+        self.assertEqual(len([row for row in self.rows() if row["triangles_out"] == "960"]), BONES - 1)
+
+    def test_a_surface_that_is_gone_or_another_is_failed_in_the_summary(self):
+        self.end([self.start("--jobs", "2")])
+        self.path("out/0/00.stl").unlink()
+        with open(self.path("out/1/01.stl"), "r+b") as surface:
+            surface.truncate(1000)
+        completed = self.run_program("summary", "out")
+        self.assertEqual(completed.returncode, REJECTED)
+        messages = {row["name"]: row["message"] for row in self.rows() if row["status"] == "failed"}
+        self.assertEqual(messages, {"0/00": "the surface '00.stl' is missing", "1/01": "the surface '01.stl' is not that of the report"})
+
     def test_shards_divide_the_inputs_and_summary_has_all_of_them(self):
         self.end([self.start("--shard", f"{number}/3") for number in (1, 2)])
         self.assertEqual(len(self.reports()), 2 * BONES // 3)
@@ -146,7 +176,7 @@ class SharedBatch(ApplicationTest):
         self.assertFalse(self.path("out/a.stl").exists())
         self.path("out/notes.log").write_text("of something else\n")
         self.path("out/long.log").write_bytes(bytes(3_000_000))  # as of recorded edits
-        self.succeed("summary", "out")
+        self.assertEqual(self.run_program("summary", "out").returncode, NO_MEMORY)
         self.assertEqual({row["name"]: row for row in self.rows()}, rows)
 
     def test_a_failed_input_leaves_all_that_it_said(self):
@@ -158,7 +188,7 @@ class SharedBatch(ApplicationTest):
         self.assertEqual(self.path("out/bad.log").read_text(), f"{alone.stderr}bad.obj: exit code {REJECTED}\n")
         self.assertFalse(self.path("out/good.log").exists())
         rows = self.rows()
-        self.succeed("summary", "out")
+        self.assertEqual(self.run_program("summary", "out").returncode, REJECTED)
         self.assertEqual(self.rows(), rows)  # the failed one, too
         write(sphere(), self.path("mixed/bad.obj"))
         self.succeed("mixed", "out", *REDUCED)

@@ -257,8 +257,9 @@ class Rejections(unittest.TestCase):
             certify(nothing, nothing)
 
     def test_unknown_options_are_type_errors_that_name_those_there_are(self):
-        for name in ("error", "distance_array_name", "pass_arrays", "tolerance_array"):
-            with self.assertRaisesRegex(TypeError, "there are: mode, target_triangles"):
+        for name, rest in (("error", "did you mean 'max_error'"), ("zzz", "there are: mode, target_triangles"), ("n_faces", "did you mean 'target_triangles'"),
+                           ("tolerance_array", "")):
+            with self.assertRaisesRegex(TypeError, f"no option '{name}' here.*{rest}"):
                 decimate(POINTS, TRIANGLES, **{name: 1})
 
     def test_values_out_of_range_are_value_errors(self):

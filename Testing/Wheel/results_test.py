@@ -46,6 +46,13 @@ class Results(unittest.TestCase):
             self.assertGreaterEqual(stopped.upper, whole.lower)
             self.assertEqual(stopped.report["stopped"], "stopped: bounds proved so far")
 
+    def test_certificates_are_neither_true_nor_false(self):
+        mesh = pyvista_test.bone()
+        certificate = mesh.bone.certify(mesh)
+        self.assertRegex(repr(certificate), "0 to .* mm, proved; no tolerance to compare with>")
+        with self.assertRaisesRegex(TypeError, 'certificate.status == "proved"'):
+            bool(certificate)
+
     def test_keep_the_label_map(self):
         found = bonedecimate.extract_surfaces(pyvista_test.LabelMaps.image())
         small = bonedecimate.decimate(found, target_reduction=0.5)

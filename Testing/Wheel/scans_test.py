@@ -112,7 +112,7 @@ class Scans(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             np.testing.assert_array_equal(LabelMap(halves(), axes="zyx", affine=np.eye(4)).labels, halves())
-            np.testing.assert_array_equal(LabelMap(halves()).labels, halves())
+            np.testing.assert_array_equal(LabelMap(halves(), axes="zyx").labels, halves())
 
     def test_are_rejected_if_they_are_no_label_map(self):
         colors = SimpleITK.Image([4, 4, 4], SimpleITK.sitkVectorUInt8, 3)

@@ -11,6 +11,7 @@ import nibabel
 import numpy as np
 import SimpleITK
 
+import bonedecimate
 from bonedecimate import LabelMap, segments
 
 AFFINE = np.diag([-0.8, -0.8, 1.5, 1.0])
@@ -81,6 +82,26 @@ class SegmentsTest(unittest.TestCase):
         found = segments(self.image)
         self.assertEqual(found.result.report["voxels.changed"], 0)
         self.assertLessEqual(found.result.proved_error, 0.4)
+
+    def test_an_array_alone_is_told_to_have_an_order(self):
+        array = labels()
+        for make in (segments, bonedecimate.extract_surfaces):
+            with self.assertWarnsRegex(UserWarning, "labels.z, y, x. with voxels of 1 mm; arrays of nibabel are labels.x, y, z."):
+                make(array)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for stated in ({"axes": "zyx"}, {"spacing": (1, 1, 2)}):
+                bonedecimate.extract_surfaces(array, **stated)
+
+    def test_maps_without_a_label_are_named(self):
+        for make in (segments, bonedecimate.extract_surfaces):
+            with self.assertRaisesRegex(ValueError, "no label: every voxel is background"):
+                make(LabelMap(np.zeros((4, 4, 4), np.uint8), axes="zyx"))
+        with self.assertRaisesRegex(ValueError, "no voxel has label 9; there are 1, 2"):
+            bonedecimate.extract_surfaces(LabelMap(labels(), axes="xyz"), labels=[9])
+        for wrong in (1, "Labels"):
+            with self.assertRaisesRegex(TypeError, "labels are a list of whole numbers"):
+                bonedecimate.extract_surfaces(LabelMap(labels(), axes="xyz"), labels=wrong)
 
     def test_structures_are_chosen_by_name_and_label(self):
         for choice in (["hip_left"], [2], ["HIP_LEFT", "spleen"]):

@@ -3,6 +3,7 @@
 #include "Batch.h"
 
 #include "BatchJob.h"
+#include "BatchOutput.h"
 #include "BatchPlan.h"
 #include "BatchTable.h"
 #include "BoneVolume.h"
@@ -19,14 +20,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <deque>
 #include <filesystem>
-#include <iostream>
 #include <list>
 #include <optional>
 #include <thread>
-#include <unistd.h>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -43,11 +42,7 @@ void RemoveSegmentFolder(int process, const std::string& output)
   }
 }
 
-/// What was left out counts less than what failed.
-int Rank(ExitCode code)
-{
-  return code == ExitCode::Done ? 0 : code == ExitCode::LeftOut ? 1 : 1 + static_cast<int>(code);
-}
+const char* const OfAnotherShard = "of another shard";
 
 constexpr std::size_t LongestName = 60; // longer names move the rest of their lines
 
@@ -66,7 +61,7 @@ public:
     , Self(self)
     , Bones(PlanBatch(arguments))
     , Rows(Bones.size())
-    , Terminal(!arguments.Quiet && isatty(STDOUT_FILENO) == 1)
+    , Printed(arguments.Quiet)
   {
     for (std::size_t i = 0; i < this->Bones.size(); ++i)
     {
@@ -80,19 +75,21 @@ public:
   ExitCode Run()
   {
     this->MakeFolder(this->Requested.Output);
+    this->Shared.emplace(this->Requested.Output, OptionsText(this->Requested));
     this->WriteCsv();
-    this->Shared.emplace(this->Requested.Output);
-    this->Tell(BatchHeading(this->NameWidth));
+    this->Printed.Tell(BatchHeading(this->NameWidth));
     while (!this->ToDo.empty() || !this->Running.empty())
     {
       this->StartSome();
       this->CollectEnded();
-      this->ShowProgress();
+      this->Printed.Show(
+        this->Bones.size() - this->ToDo.size() - this->Running.size(), this->Bones.size());
       this->Shared->Renew();
     }
+    this->TakeOtherShards();
     this->Shared.reset();
     this->WriteCsv();
-    this->Tell(BatchCounts(this->Rows) + "; table: " + this->Table);
+    this->Printed.Tell(BatchCounts(this->Rows) + "; table: " + this->Table);
     StopIfInterrupted();
     return this->WorstCode();
   }
@@ -152,7 +149,7 @@ private:
     }
     else if (!this->Requested.Shard.Has(index))
     {
-      this->End(index, "skipped", ExitCode::Done, "of another shard");
+      this->End(index, "skipped", ExitCode::Done, OfAnotherShard);
     }
     else if (const auto failure = this->Shared->FailureOf(bone.Name))
     {
@@ -172,6 +169,32 @@ private:
       this->Start(index);
     }
     return true;
+  }
+
+  /// What other shards made of their inputs in the meantime, or before.
+  void TakeOtherShards()
+  {
+    for (std::size_t i = 0; i < this->Bones.size(); ++i)
+    {
+      BatchRow& row = this->Rows[i];
+      if (row.Message != OfAnotherShard)
+      {
+        continue;
+      }
+      const std::optional<BatchRow> failed = ReadFailureLog(this->LogOf(i));
+      if (this->IsFinished(this->Bones[i]))
+      {
+        row.Message.clear();
+        row.Status = "done";
+        TakeReport(row, this->Bones[i].Report);
+      }
+      else if (failed)
+      {
+        row.Status = failed->Status;
+        row.Code = failed->Code;
+        row.Message = failed->Message;
+      }
+    }
   }
 
   void EndFinished(std::size_t index)
@@ -310,39 +333,24 @@ private:
     {
       TakeReport(row, this->Bones[bone].Report);
     }
-    this->Tell(BatchLine(row, this->NameWidth));
+    const std::string line = BatchLine(row, this->NameWidth);
+    status == "failed" ? this->Printed.TellFailure(line) : this->Printed.Tell(line);
   }
 
   void WriteCsv() { this->Table = WriteTables(this->Requested.Output, this->Rows); }
 
-  void ShowProgress()
-  {
-    const std::size_t ended = this->Bones.size() - this->ToDo.size() - this->Running.size();
-    if (this->Terminal && ended != this->Shown)
-    {
-      this->Shown = ended;
-      std::cout << "\r" << ended << " of " << this->Bones.size() << " files" << std::flush;
-    }
-  }
-
-  /// A line, in place of the progress.
-  void Tell(const std::string& line) const
-  {
-    if (!this->Requested.Quiet)
-    {
-      if (this->Terminal)
-      {
-        std::fputs("\r\033[K", stdout); // the stream takes no commands of terminals
-      }
-      std::cout << line << '\n' << std::flush;
-    }
-  }
-
+  /// Of the inputs of this shard.
   ExitCode WorstCode() const
   {
-    const auto worst = std::max_element(this->Rows.begin(), this->Rows.end(),
-      [](const BatchRow& a, const BatchRow& b) { return Rank(a.Code) < Rank(b.Code); });
-    return worst->Code;
+    std::vector<BatchRow> own;
+    for (std::size_t i = 0; i < this->Rows.size(); ++i)
+    {
+      if (this->Requested.Shard.Has(i))
+      {
+        own.push_back(this->Rows[i]);
+      }
+    }
+    return WorstCodeOf(own);
   }
 
   const Arguments& Requested;
@@ -356,8 +364,7 @@ private:
   std::deque<std::size_t> ToDo;
   std::list<BatchJob> Running;
   std::chrono::steady_clock::time_point NextLook; // at inputs that are at work in other batches
-  std::size_t Shown = 0;
-  bool Terminal;
+  BatchOutput Printed;
 };
 }
 

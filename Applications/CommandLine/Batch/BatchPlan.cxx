@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BatchPlan.h"
 
+#include "Base/Parallel.h"
 #include "Base/Text.h"
 #include "BoneVolume.h"
 #include "ExitCode.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -363,7 +363,7 @@ std::vector<std::string> WordsFor(const BatchBone& bone, const Arguments& argume
   const unsigned int jobs = static_cast<unsigned int>(std::max(arguments.Jobs, 1));
   if (jobs > 1 && !HasNumberOfThreads(arguments))
   {
-    const unsigned int threads = std::max(1U, std::thread::hardware_concurrency() / jobs);
+    const unsigned int threads = std::max(1U, NumberOfProcessors() / jobs);
     words.insert(
       words.end(), { "--" + FindOption("NumberOfThreads")->Flag, std::to_string(threads) });
   }
@@ -371,5 +371,19 @@ std::vector<std::string> WordsFor(const BatchBone& bone, const Arguments& argume
   words.insert(words.end(), settings.begin(), settings.end());
   words.insert(words.end(), { "--", bone.Input, bone.Output });
   return words;
+}
+
+std::string OptionsText(const Arguments& arguments)
+{
+  std::string text;
+  for (const auto& [flag, value] : arguments.Given)
+  {
+    if (flag == FindOption("NumberOfThreads")->Flag)
+    {
+      continue; // the results are the same
+    }
+    text += (text.empty() ? "--" : " --") + flag + " " + value;
+  }
+  return text;
 }
 }

@@ -48,6 +48,9 @@ std::string PathBelow(const BatchBone& bone);
 /// The options that hold for one of them: --iso and --segments only for volumes.
 std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Arguments& arguments);
 
+/// The options of the runs, as on a command line, without those that change no result.
+std::string OptionsText(const Arguments& arguments);
+
 /// The words that make this program do one of them.
 std::vector<std::string> WordsFor(const BatchBone& bone, const Arguments& arguments);
 }

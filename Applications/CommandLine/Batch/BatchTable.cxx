@@ -129,6 +129,8 @@ void TakeReport(BatchRow& row, const std::string& report)
   row.Report = report;
   const Json output = ValueAt(json, "/files/output");
   row.Output = output.is_string() ? output.get<std::string>() : std::string();
+  const Json bytes = ValueAt(json, "/files/output_bytes");
+  row.OutputBytes = bytes.is_number_unsigned() ? bytes.get<std::uintmax_t>() : 0;
   for (const Json& warning : ValueAt(json, "/warnings"))
   {
     row.Message += (row.Message.empty() ? "warning: " : "; warning: ") +
@@ -216,6 +218,19 @@ std::string BatchLine(const BatchRow& row, std::size_t nameWidth)
   const Json proof = FigureOf(row, "proof_status");
   line += "  " + Padded(proof.is_string() ? proof.get<std::string>() : "-", ProofWidth, false);
   return WithoutBlanksAtEnd(line + "  " + PlainText(row.Message));
+}
+
+ExitCode WorstCodeOf(const std::vector<BatchRow>& rows)
+{
+  const auto rank = [](ExitCode code) {
+    return code == ExitCode::Done ? 0 : code == ExitCode::LeftOut ? 1 : 1 + static_cast<int>(code);
+  };
+  ExitCode worst = ExitCode::Done;
+  for (const BatchRow& row : rows)
+  {
+    worst = rank(row.Code) > rank(worst) ? row.Code : worst;
+  }
+  return worst;
 }
 
 std::string BatchCounts(const std::vector<BatchRow>& rows)

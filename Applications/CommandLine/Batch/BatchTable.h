@@ -11,6 +11,7 @@
 #include "ExitCode.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -27,8 +28,9 @@ struct BatchRow
   nlohmann::json Figures; ///< Figures of its report, by column of summary.csv; null: none.
   /// Figures of each segment of a label map, by column of segments.csv.
   std::vector<nlohmann::json> Segments;
-  std::string Report; ///< Path; empty: none.
-  std::string Output; ///< The surface beside the report; empty: there are several.
+  std::string Report;             ///< Path; empty: none.
+  std::string Output;             ///< The surface beside the report; empty: there are several.
+  std::uintmax_t OutputBytes = 0; ///< Its size, by the report.
 };
 
 /// Takes figures and warnings from the file of a report. A report that cannot be read gives none.
@@ -49,6 +51,9 @@ std::string BatchHeading(std::size_t nameWidth);
 /// The line of a row.
 /// @param nameWidth Width of the longest name; a longer one moves the rest of its line.
 std::string BatchLine(const BatchRow& row, std::size_t nameWidth);
+
+/// What was left out counts less than what failed.
+ExitCode WorstCodeOf(const std::vector<BatchRow>& rows);
 
 /// "12 files: 10 done, 1 skipped, 1 failed".
 std::string BatchCounts(const std::vector<BatchRow>& rows);

@@ -28,6 +28,17 @@ void Touch(const fs::path& folder)
   fs::remove(folder / "touch", ignored);
 }
 
+const char* const OptionsFile = "options";
+
+/// Of a file; nothing if it cannot be read.
+std::optional<std::string> TextOf(const fs::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::string text;
+  std::getline(stream, text, '\0');
+  return stream.bad() || !stream.is_open() ? std::nullopt : std::optional<std::string>(text);
+}
+
 std::string RandomNumber()
 {
   std::random_device device;
@@ -35,19 +46,35 @@ std::string RandomNumber()
 }
 }
 
-SharedFolder::SharedFolder(const std::string& output)
+SharedFolder::SharedFolder(const std::string& output, const std::string& options)
   : Hidden(FilePath(output) / ".bonedecimate")
   , Own(Hidden / (RandomNumber() + ".batch"))
   , Renewed(std::chrono::steady_clock::now())
 {
   std::error_code error;
-  fs::create_directories(this->Own, error);
+  const Path beginning =
+    this->Own.string() + ".new"; // others see it with its options or not at all
+  fs::create_directories(beginning, error);
+  std::ofstream(beginning / OptionsFile, std::ios::binary) << options;
+  fs::rename(beginning, this->Own, error);
   Touch(this->Own);
   this->Begin = error ? Time() : fs::last_write_time(this->Own, error);
   if (error)
   {
     throw Failure(
       ExitCode::CouldNotWrite, "could not write '" + this->Own.string() + "': " + error.message());
+  }
+  for (const Path& other : this->OtherBatches())
+  {
+    const std::optional<std::string> ofOther = TextOf(other / OptionsFile);
+    if (ofOther && *ofOther != options)
+    {
+      fs::remove_all(this->Own, error);
+      throw Failure(ExitCode::Usage,
+        "'" + output + "' is in use by a batch with other options" +
+          (ofOther->empty() ? std::string() : " (" + *ofOther + ")") +
+          ", or was until a minute ago");
+    }
   }
 }
 
@@ -60,7 +87,7 @@ SharedFolder::~SharedFolder()
     fs::remove_all(claim, ignored);
   }
   Touch(this->Own);
-  if (this->IsLast())
+  if (this->OtherBatches().empty())
   {
     fs::remove_all(this->Hidden, ignored);
   }
@@ -182,13 +209,16 @@ bool SharedFolder::RemoveDead(const Path& folder) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether no other batch is at work.
-bool SharedFolder::IsLast() const
+/// Those at work.
+std::vector<SharedFolder::Path> SharedFolder::OtherBatches() const
 {
   std::error_code error;
-  const std::vector<Path> entries = FolderEntries(this->Hidden, error);
-  return std::none_of(entries.begin(), entries.end(),
-    [this](const Path& entry)
-    { return entry.extension() == ".batch" && entry != this->Own && this->IsAlive(entry); });
+  std::vector<Path> entries = FolderEntries(this->Hidden, error);
+  entries.erase(
+    std::remove_if(entries.begin(), entries.end(),
+      [this](const Path& entry)
+      { return entry.extension() != ".batch" || entry == this->Own || !this->IsAlive(entry); }),
+    entries.end());
+  return entries;
 }
 }

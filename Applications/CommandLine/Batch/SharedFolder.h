@@ -25,6 +25,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace bonedecimate
 {
@@ -32,8 +33,10 @@ class SharedFolder
 {
 public:
   /// @param output The output folder, which is there.
-  /// @throws Failure(ExitCode::CouldNotWrite)
-  explicit SharedFolder(const std::string& output);
+  /// @param options Those of the batch, as on a command line.
+  /// @throws Failure(ExitCode::CouldNotWrite), and Failure(ExitCode::Usage) if a batch with other
+  /// options is at work in the folder.
+  SharedFolder(const std::string& output, const std::string& options);
   ~SharedFolder();
   SharedFolder(const SharedFolder&) = delete;
   void operator=(const SharedFolder&) = delete;
@@ -66,7 +69,7 @@ private:
   Path PathOf(const std::string& name, const char* extension) const;
   bool IsAlive(const Path& folder) const;
   bool RemoveDead(const Path& folder) const;
-  bool IsLast() const;
+  std::vector<Path> OtherBatches() const;
 
   Path Hidden;
   Path Own;

@@ -136,7 +136,11 @@ void Check(const CLI::App& command, const CertifyArguments& arguments)
 /// The certificate of a pair as a row of a table.
 CertifiedPair RunPair(const CertifyArguments& arguments, const FilePair& pair)
 {
-  CertifiedPair row = { pair.Name, ExitCode::Done, {}, {} };
+  CertifiedPair row = { pair.Name, ExitCode::InputRejected, pair.Problem, {} };
+  if (!pair.Problem.empty())
+  {
+    return row;
+  }
   CertifyArguments one = arguments;
   one.Files = { pair.Reference, pair.Result };
   one.Quiet = true;
@@ -172,6 +176,10 @@ ExitCode RunFolders(const CertifyArguments& arguments)
   if (!arguments.Json.empty())
   {
     WriteTextFile(arguments.Json, JsonOfPairs(rows));
+  }
+  if (!arguments.Quiet)
+  {
+    std::cout << CountsOfPairs(rows) << "\n";
   }
   return WorstOfPairs(rows);
 }

@@ -39,6 +39,16 @@ std::map<std::string, std::vector<std::string>> SurfacesIn(const std::string& fo
   }
   return found;
 }
+
+std::string NoneIn(const std::string& folder)
+{
+  return "'" + folder + "' has no surface of this name";
+}
+
+std::string SeveralIn(const std::string& folder)
+{
+  return "'" + folder + "' has several surfaces of this name";
+}
 }
 
 bool AreFolders(const std::vector<std::string>& files)
@@ -51,24 +61,34 @@ bool AreFolders(const std::vector<std::string>& files)
 std::vector<FilePair> FindPairs(const std::string& references, const std::string& results)
 {
   const auto ofReferences = SurfacesIn(references);
-  std::vector<FilePair> pairs;
-  for (const auto& [name, files] : SurfacesIn(results))
-  {
-    const auto reference = ofReferences.find(name);
-    const std::size_t count = reference == ofReferences.end() ? 0 : reference->second.size();
-    if (count != 1 || files.size() != 1)
-    {
-      Reject(files.front(),
-        count == 0 ? "'" + references + "' has no surface of this name"
-                   : "there are several surfaces of this name");
-    }
-    pairs.push_back({ name, reference->second.front(), files.front() });
-  }
-  if (pairs.empty())
+  const auto ofResults = SurfacesIn(results);
+  if (ofResults.empty())
   {
     Reject(results, "no surface is in it");
   }
-  return pairs;
+  std::map<std::string, FilePair> pairs;
+  for (const auto& [name, files] : ofReferences)
+  {
+    pairs[name] = { name, files.front(), "", NoneIn(results) };
+  }
+  for (const auto& [name, files] : ofResults)
+  {
+    FilePair& pair = pairs[name];
+    const bool hasReference = !pair.Reference.empty();
+    pair.Name = name;
+    pair.Result = files.front();
+    pair.Problem = !hasReference         ? NoneIn(references)
+      : ofReferences.at(name).size() > 1 ? SeveralIn(references)
+      : files.size() > 1                 ? SeveralIn(results)
+                                         : "";
+  }
+  std::vector<FilePair> list;
+  list.reserve(pairs.size());
+  for (const auto& [name, pair] : pairs)
+  {
+    list.push_back(pair);
+  }
+  return list;
 }
 
 std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs)
@@ -89,6 +109,32 @@ std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs)
     list.push_back(row);
   }
   return list.dump(2) + "\n";
+}
+
+std::string CountsOfPairs(const std::vector<CertifiedPair>& pairs)
+{
+  const auto count = [&pairs](auto belongs)
+  { return std::count_if(pairs.begin(), pairs.end(), belongs); };
+  const auto of = [&count](ExitCode code)
+  {
+    return count(
+      [code](const CertifiedPair& pair) { return !pair.Json.empty() && pair.Code == code; });
+  };
+  std::string text = std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair" : " pairs");
+  std::string separator = ": ";
+  for (const auto& [number, word] :
+    { std::pair(of(ExitCode::Done), "proved"), std::pair(of(ExitCode::Violated), "violated"),
+      std::pair(of(ExitCode::Undecided), "undecided"),
+      std::pair(
+        count([](const CertifiedPair& pair) { return pair.Json.empty(); }), "not compared") })
+  {
+    if (number > 0)
+    {
+      text += separator + std::to_string(number) + " " + word;
+      separator = ", ";
+    }
+  }
+  return text;
 }
 
 ExitCode WorstOfPairs(const std::vector<CertifiedPair>& pairs)

@@ -19,6 +19,7 @@ struct FilePair
   std::string Name; ///< Below the folders, without an extension.
   std::string Reference;
   std::string Result;
+  std::string Problem; ///< Why they are no pair; empty: they are.
 };
 
 struct CertifiedPair
@@ -32,14 +33,16 @@ struct CertifiedPair
 /// Whether these are two folders of surfaces, and the first is no volume.
 bool AreFolders(const std::vector<std::string>& files);
 
-/// The surfaces of the second folder and those below it, by name, with those of the first of the
-/// same name, whatever their formats.
-/// @throws Failure(ExitCode::InputRejected) if a result has no reference, or several, or if there
-/// is no result.
+/// The surfaces of both folders and those below them, by name, whatever their formats. A name that
+/// is not in both of them once has a problem.
+/// @throws Failure(ExitCode::InputRejected) if there is no result.
 std::vector<FilePair> FindPairs(const std::string& references, const std::string& results);
 
 /// A list of objects: name, exit code, and the certificate or the problem.
 std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs);
+
+/// "12 pairs: 9 proved, 1 violated, 2 not compared".
+std::string CountsOfPairs(const std::vector<CertifiedPair>& pairs);
 
 /// Interrupted if one is, else Violated, else Undecided, else the code of a pair that was rejected.
 ExitCode WorstOfPairs(const std::vector<CertifiedPair>& pairs);

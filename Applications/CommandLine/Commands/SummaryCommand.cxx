@@ -69,6 +69,26 @@ std::optional<BatchRow> FailedRow(const fs::path& log, const fs::path& root)
   return row;
 }
 
+/// Whether the surface of a report is no longer what it was; the row then says so.
+void CheckSurface(const fs::path& folder, BatchRow& row)
+{
+  if (row.Output.empty())
+  {
+    return; // there are several
+  }
+  const std::string name = FilePath(row.Output).filename().string();
+  std::error_code error;
+  const auto bytes = fs::file_size(folder / FilePath(name), error);
+  if (error || bytes != row.OutputBytes)
+  {
+    row.Status = "failed";
+    row.Code = ExitCode::InputRejected;
+    row.Message =
+      "the surface '" + name + "' " + (error ? "is missing" : "is not that of the report");
+    row.Figures = nullptr;
+  }
+}
+
 void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>& rows)
 {
   std::error_code error;
@@ -95,6 +115,7 @@ void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>
       row.Status = "done";
       row.Code = ExitCode::Done;
       TakeReport(row, path.string());
+      CheckSurface(folder, row);
       rows.push_back(std::move(row));
     }
   }
@@ -105,7 +126,7 @@ void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>
   }
 }
 
-void Run(const SummaryArguments& arguments)
+ExitCode Run(const SummaryArguments& arguments)
 {
   const fs::path root = FilePath(arguments.Folder);
   std::vector<BatchRow> rows;
@@ -129,19 +150,21 @@ void Run(const SummaryArguments& arguments)
     }
     std::cout << BatchCounts(rows) << "; table: " << table << "\n";
   }
+  return WorstCodeOf(rows);
 }
 }
 
-void AddSummaryCommand(CLI::App& program)
+void AddSummaryCommand(CLI::App& program, ExitCode& code)
 {
   const auto arguments = std::make_shared<SummaryArguments>();
   CLI::App& command = AddCommand(program, "summary", { "FOLDER [OPTIONS]" },
     "Writes summary.csv of a folder of results from the reports in it and the logs of failed "
-    "inputs, whatever batches wrote them.");
+    "inputs, whatever batches wrote them. A surface that is missing, or not that of its report, "
+    "counts as failed; the exit code is that of the worst input.");
   command.add_option("FOLDER", arguments->Folder, WrappedHelp("The output folder of batches."))
     ->type_name("")
     ->required();
   AddQuiet(command, arguments->Quiet);
-  command.final_callback([arguments] { Run(*arguments); });
+  command.final_callback([arguments, &code] { code = Run(*arguments); });
 }
 }

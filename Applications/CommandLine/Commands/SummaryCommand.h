@@ -7,11 +7,13 @@
 #ifndef BoneDecimate_Applications_SummaryCommand_h
 #define BoneDecimate_Applications_SummaryCommand_h
 
+#include "ExitCode.h"
+
 #include <CLI/App.hpp>
 
 namespace bonedecimate
 {
-void AddSummaryCommand(CLI::App& program);
+void AddSummaryCommand(CLI::App& program, ExitCode& code);
 }
 
 #endif

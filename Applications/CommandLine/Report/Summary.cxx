@@ -106,6 +106,18 @@ void PrintVoxel(const ReportFields& report)
   }
 }
 
+/// Where the limit of smoothing is too small for what it should remove.
+std::string RemainingStepsText(const ReportFields& report)
+{
+  constexpr double remaining = 0.95; // of the mean angle
+  const double before = report.Number("smoothing.angle_before").value_or(0.0);
+  const double after = report.Number("smoothing.angle_after").value_or(0.0);
+  const std::optional<double> bound = report.Number("smoothing.bound");
+  return bound && after > remaining * before
+    ? "; its limit of " + MillimeterText(*bound) + " mm is too small for the steps of the voxels"
+    : std::string();
+}
+
 void PrintSmoothing(const ReportFields& report)
 {
   const std::optional<double> largest = report.Number("smoothing.largest_displacement");
@@ -119,7 +131,7 @@ void PrintSmoothing(const ReportFields& report)
               << (report.Number("smoothing.sharp_points").value_or(0.0) > 0.0
                      ? "; " + Count(report, "smoothing.sharp_points") + " points on sharp edges"
                      : "")
-              << "\n";
+              << RemainingStepsText(report) << "\n";
   }
 }
 

@@ -26,6 +26,10 @@ constexpr bool HasThreads = false;
 constexpr bool HasThreads = true;
 #endif
 
+/// Processors that this process may use: those of a job in a cluster or a container, not all of the
+/// machine.
+unsigned int NumberOfProcessors();
+
 /// @param requested 0: one thread per processor. 1 is returned where the platform has no threads.
 inline unsigned int ThreadsToUse(int requested)
 {
@@ -33,8 +37,7 @@ inline unsigned int ThreadsToUse(int requested)
   {
     return 1;
   }
-  return requested > 0 ? static_cast<unsigned int>(requested)
-                       : std::max(1U, std::thread::hardware_concurrency());
+  return requested > 0 ? static_cast<unsigned int>(requested) : NumberOfProcessors();
 }
 
 /**

@@ -16,7 +16,10 @@ def label_map_of(image: vtkImageData, name: str | None = None) -> LabelMap:
     data = image.GetPointData()
     array = data.GetScalars() if name is None else data.GetArray(name)
     if array is None:
-        raise ValueError("the image has no labels: neither active scalars of points nor the array that was named")
+        of_cells = image.GetCellData().GetScalars() if name is None else image.GetCellData().GetArray(name)
+        raise ValueError("labels are point data of an image, one for each voxel; these are cell data" if of_cells is not None else
+                         "the image has no labels: it has no active scalars of points" if name is None else
+                         f"the image has no point array '{name}'")
     if array.GetNumberOfComponents() != 1:
         raise ValueError(f"the array {array.GetName()} has several components; labels have one")
     matrix = image.GetDirectionMatrix()
@@ -24,5 +27,5 @@ def label_map_of(image: vtkImageData, name: str | None = None) -> LabelMap:
     spacing = np.array(image.GetSpacing())
     origin = np.array(image.GetOrigin()) + direction @ (spacing * image.GetExtent()[::2])
     layers = image.GetFieldData().GetArray("VoxelGridLayers")
-    return LabelMap(numbers(array).reshape(image.GetDimensions()[::-1]), spacing=spacing, origin=origin, direction=direction,
+    return LabelMap(numbers(array).reshape(image.GetDimensions()[::-1]), axes="zyx", spacing=spacing, origin=origin, direction=direction,
                     layers=None if layers is None else numbers(layers).reshape(-1))

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import numbers
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Literal
 
@@ -109,6 +110,7 @@ def extract_surfaces(
         raise ValueError("a LabelMap and an image have their own axes, spacing, origin, direction and layers")
     label_map = label_map_from(label_map, None).on_model_grid(model_grid)
     chosen, grid = chosen_labels(labels), label_map.grid
+    require_labels(label_map, chosen, background)
     with listener(progress) as heard:
         outcome = _core.extract_surfaces(
             label_map.labels, *grid.to_core(), chosen,
@@ -142,8 +144,19 @@ def extract_label(
     return _core.extract_label(positions, corners, pairs, label_value("label", label))[:2]
 
 
+def require_labels(label_map: LabelMap, chosen: list[int], background: int) -> None:
+    """Raises ValueError if no voxel has one of the labels, or of none that are chosen any label."""
+    present = [int(label) for label in np.unique(label_map.labels) if label != background]
+    if not present:
+        raise ValueError("the label map has no label: every voxel is background")
+    if chosen and not set(chosen) & set(present):
+        raise ValueError(f"no voxel has label {', '.join(map(str, chosen))}; there are {', '.join(map(str, present[:20]))}")
+
+
 def chosen_labels(labels: Iterable[int] | None) -> list[int]:
     """None of them is all."""
+    if isinstance(labels, (str, numbers.Number)):
+        raise TypeError(f"labels are a list of whole numbers, [1] for one, not {labels!r}")
     chosen = [] if labels is None else [label_value("labels", each) for each in labels]
     if labels is not None and not chosen:
         raise ValueError("labels are None for all, or at least one label")

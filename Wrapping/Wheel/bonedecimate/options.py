@@ -17,6 +17,9 @@ from collections.abc import Callable, Iterable, Mapping
 
 from . import _core
 
+# Keywords of other packages, and ours.
+OTHER_NAMES = {"n_triangles": "target_triangles", "target_count": "target_triangles", "n_faces": "target_triangles",
+               "target_number_of_triangles": "target_triangles", "reduction": "target_reduction", "tolerance": "max_error"}
 # Of every option by keyword: its row.
 ROWS: dict[str, _core.OptionInfo] = {}
 
@@ -92,7 +95,8 @@ def takes_options(*kinds: str):
 
     def decorate(function: Callable) -> Callable:
         signature = inspect.signature(function)
-        own = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+        variable = (inspect.Parameter.VAR_KEYWORD, inspect.Parameter.VAR_POSITIONAL)
+        own = [each for each in signature.parameters.values() if each.kind not in variable]
         rows = options_but([*without, *signature.parameters])
         options = [inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=default_of(row), annotation=type_of(row))
                    for key, row in rows.items()]
@@ -149,12 +153,13 @@ def read(keywords: Mapping[str, object], function: Callable, profile: str | None
 
 
 def _unknown(key: str, known: list[str], without: Mapping[str, str]) -> str:
-    meant = nearest(key, known)
-    hint = f" (did you mean '{meant}'?)" if meant else ""
     if key in without:
-        hint = f": {without[key]}"
-    there_are = ", ".join(name for name in ROWS if name in known)
-    return f"there is no option '{key}' here{hint}; there are: {there_are}"
+        return f"there is no option '{key}' here: {without[key]}"
+    meant = OTHER_NAMES.get(key) or nearest(key, known)
+    if meant in known:
+        return f"there is no option '{key}' here (did you mean '{meant}'?)"
+    there_are = [*(name for name in ROWS if name in known), *(name for name in known if name not in ROWS)]
+    return f"there is no option '{key}' here; there are: {', '.join(there_are)}"
 
 
 def assign(options: _core.Options, key: str, value: object, by_number: bool = False) -> bool:

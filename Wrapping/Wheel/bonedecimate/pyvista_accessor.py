@@ -31,7 +31,7 @@ from .voxel_check import NO_GRID, Comparison, VoxelChanges, check_voxels, source
 from .voxels import pairs_from
 
 if TYPE_CHECKING:
-    from typing_extensions import Unpack
+    from typing_extensions import Never, Unpack
 
     from ._keywords import LevelOptions, MeshOptions
     from .surfaces import SurfaceLike
@@ -98,7 +98,7 @@ class BoneAccessor:
     @takes_options()
     def decimate(
         self,
-        *,
+        *misplaced: Never,
         tolerances: ArrayLike | None = None,
         labels: str | ArrayLike | None = None,
         label_map: LabelMapLike | VoxelGrid | None = None,
@@ -136,6 +136,8 @@ class BoneAccessor:
 
         Raises what `bonedecimate.decimate` does.
         """
+        if misplaced:
+            raise TypeError("decimate takes keywords: target_reduction=0.9, target_triangles=20000, or max_error=0.5 (mm)")
         if isinstance(labels, str):
             options = {**options, "labels": labels}
             labels = None
@@ -147,6 +149,8 @@ class BoneAccessor:
         with listener(progress_bar) as heard:
             outcome, surface = run(mesh, values, heard, reference)
         check(outcome, 2)
+        if outcome["stop"] == _core.StopReason.Aborted:
+            warn(["the progress function ended the run: the mesh is decimated in part, and nothing is proved"], 2)
         if voxels is not None:
             warn(voxels.differences(values.get("NumberOfThreads")), 2)
         output = pv.PolyData()
@@ -291,11 +295,13 @@ class BoneAccessor:
         limit = None if largest is None else number("largest", largest, 0, 1e30, "mm")
         certificate = self.certify(other)
         measured = self._with_distances(certificate)
+        is_capped = np.abs(measured.point_data[ERROR]).max(initial=0.0) > (limit or np.inf)
         bound = f"{np.ceil(certificate.upper * 1e4) / 1e4:.4f}"  # no less than the proved one
         end = limit or float(bound) or 1.0
-        # The empty line keeps the title above the numbers.
-        settings = {"scalars": ERROR, "clim": (-end, end), "cmap": "coolwarm", "text": f"at most {bound} mm, proved",
-                    "scalar_bar_args": {"title": "distance, mm\n", "n_labels": 5, "fmt": "%.4g"}}
+        # The empty line keeps the title above the numbers. Light that falls on all sides alike keeps colors what the scale says.
+        settings = {"scalars": ERROR, "clim": (-end, end), "cmap": "coolwarm", "ambient": 0.5, "diffuse": 0.5,
+                    "text": f"at most {bound} mm, proved" + (f"; colors end at {end:.4g} mm" if is_capped else ""),
+                    "scalar_bar_args": {"title": "distance, mm (outside > 0)\n", "n_labels": 5, "fmt": "%.3g"}}
         return measured.plot(**{**settings, **keywords})
 
     @property

@@ -154,8 +154,12 @@ class Certificate:
             setattr(self, which + "_side", side)
             setattr(self, which + "_distance", np.where(side < 0, -distance, distance))
 
+    def __bool__(self) -> bool:
+        raise TypeError('a certificate is neither true nor false: compare certificate.status == "proved", or certificate.upper')
+
     def __repr__(self) -> str:
-        return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {self.status}{', stopped' * self.stopped}>"
+        status = "proved; no tolerance to compare with" if self.status == "not_requested" else self.status
+        return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {status}{', stopped' * self.stopped}>"
 
 
 def _named(entries: list[tuple[str, str, int | float | str]]) -> Report:

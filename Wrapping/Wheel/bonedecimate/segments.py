@@ -110,8 +110,10 @@ def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[in
     """
     label_map, found = _read(source)
     label_map = label_map.on_model_grid(model_grid)
-    names = {**found, **(names or {})}
     present = [int(label) for label in np.unique(label_map.labels) if label != 0]
+    if not present:
+        raise ValueError("the label map has no label: every voxel is background")
+    names = {**found, **(names or {})}
     chosen = present if choose is None else _chosen(choose, names, present)
     surfaces = extract_surfaces(label_map, labels=chosen, model_grid="off")
     result = decimate(surfaces, label_map=label_map if chosen == present else None, progress=progress, **(options or HALF_A_VOXEL))
@@ -157,7 +159,7 @@ def _masks(folder: pathlib.Path) -> tuple[LabelMap, dict[int, str]]:
         if len(values[values != 0]) > 1:
             raise ValueError(f"'{path}' has more than one value besides 0, so it is no mask of one structure")
         if whole is None:
-            whole = LabelMap(np.zeros(mask.labels.shape, np.uint16))
+            whole = LabelMap(np.zeros(mask.labels.shape, np.uint16), axes="zyx")
             whole.grid = mask.grid
             covered = np.zeros(mask.labels.shape, bool)
         elif not mask.grid.is_same_as(whole.grid):

@@ -109,7 +109,12 @@ def tolerances_from(tolerances: ArrayLike | None, count: int, name: str = "toler
     """One finite number, mm, for each of the points."""
     if tolerances is None:
         return None
+    if isinstance(tolerances, str):
+        raise TypeError(f"{name} are an array; {name[:-1]}_array names one of the mesh")
     array = numeric_array(tolerances, name)
+    if array.ndim == 0:
+        limit = "max_error" if name == "tolerances" else "edge_length"
+        raise ValueError(f"{name} are one for each of {count} points; {limit} is one for all")
     if array.shape != (count,):
         raise ValueError(f"{name} are one for each of {count} points, not of shape {array.shape}")
     wrong = np.flatnonzero(~np.isfinite(array))
