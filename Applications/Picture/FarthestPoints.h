@@ -39,8 +39,9 @@ struct MeasuredSurface
 };
 
 /**
- * The points with the largest distances, the largest first, and the largest that was measured. Of points closer together than a
- * twentieth of the diagonal of both surfaces only that of the largest distance is listed.
+ * The points with the largest distances, and the largest that was measured; the largest first. Of
+ * points closer together than a twentieth of the diagonal of both surfaces only that of the largest
+ * distance is listed.
  */
 std::vector<FarPoint> FindFarthestPoints(
   const MeasuredSurface& original, const MeasuredSurface& result, std::size_t count = 10);

@@ -160,11 +160,12 @@ std::string ReasonWithoutProof(const ReportFields& report)
   const std::string error = report.Text("options.MaximumError");
   const std::string preset = report.Text("options.ErrorPreset");
   const bool wantsBound = (!error.empty() && error != "0") ||
-    (!preset.empty() && preset != "None") || !report.Text("options.ToleranceArrayName").empty();
+    (!preset.empty() && preset != "None") || !report.Text("options.ToleranceArrayName").empty() ||
+    report.Number("smoothing.bound").value_or(0.0) > 0.0;
   return !wantsBound ? "no largest error was requested"
     : report.Text("options.ProveResult") == "on"
     ? "mode " + report.Text("options.Mode") + " proves no largest error"
-    : "the proof was switched off (ProveResult)";
+    : "the proof was switched off";
 }
 
 //------------------------------------------------------------------------------

@@ -137,6 +137,11 @@ class Masks(ApplicationTest):
         self.succeed("summary", "out")
         self.assertEqual(self.path("out/summary.html").read_text(encoding="utf-8"), page)
         self.assertTrue(self.path("out/segments.csv").exists())
+        (skull,) = self.path("out/a").glob("skull.*")
+        skull.rename(self.path("away"))
+        self.assertEqual(self.run_program("summary", "out").returncode, REJECTED)
+        self.assertIn("the surfaces changed after the report", self.path("out/summary.csv").read_text(encoding="utf-8"))
+        self.path("away").rename(skull)
         for patient in ("a", "b"):
             self.assertEqual(list(self.files(f"out/{patient}")), ["hip_left", "skull"])
 

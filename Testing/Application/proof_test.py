@@ -64,7 +64,7 @@ class Proof(ApplicationTest):
 
     def test_can_be_left_out(self):
         text = self.decimate("in.ply", "out.vtp", "--prove", "off")
-        self.assertNotIn("proved", text)
+        self.assertIn("proved          nothing: the proof was switched off\n", text)
         self.assertNotIn("proof", self.report())
 
 

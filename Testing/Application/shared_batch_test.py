@@ -138,7 +138,7 @@ class SharedBatch(ApplicationTest):
         completed = self.run_program("summary", "out")
         self.assertEqual(completed.returncode, REJECTED)
         messages = {row["name"]: row["message"] for row in self.rows() if row["status"] == "failed"}
-        self.assertEqual(messages, {"0/00": "the surface '00.stl' is missing", "1/01": "the surface '01.stl' is not that of the report"})
+        self.assertEqual(messages, {"0/00": "the surface '00.stl' is missing", "1/01": "the surface '01.stl' changed after the report"})
 
     def test_shards_divide_the_inputs_and_summary_has_all_of_them(self):
         self.end([self.start("--shard", f"{number}/3") for number in (1, 2)])

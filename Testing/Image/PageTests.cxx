@@ -149,7 +149,7 @@ TEST_F(Page, SaysWhatIsNotProved)
   this->Filter->SetMaximumError(0.25);
   this->Filter->SetMergePoints(false);
   EXPECT_TRUE(Contains(this->Compose(), "Not proved: the distance of open boundaries"));
-  EXPECT_TRUE(Contains(this->Compose(), "There are exceptions: see"));
+  EXPECT_TRUE(Contains(this->Compose(), "Exceptions</a>: "));
   this->Filter->SetProveResult(false);
   EXPECT_TRUE(Contains(this->Compose(), "the proof was switched off"));
   this->Filter->SetProveResult(true);

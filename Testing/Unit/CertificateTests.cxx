@@ -271,6 +271,11 @@ TEST(Certificate, ReportsSurfacesThatCannotBeCompared)
   EXPECT_EQ(Certify(good, infinite).Status, CertificateStatus::BadResult);
   EXPECT_EQ(Certify(unused, good).Upper(), 0.0);
   CertificateOptions options;
+  EXPECT_EQ(Certify(good, Surface(), options).Proof, ProofStatus::NotRequested);
+  options.Tolerance = 1.0;
+  EXPECT_EQ(Certify(good, Surface(), options).Proof, ProofStatus::Violated);
+  EXPECT_EQ(Certify(Surface(), good, options).Proof, ProofStatus::Violated);
+  options = {};
   options.ToleranceMap = { 1.0 };
   EXPECT_EQ(Certify(good, good, options).Status, CertificateStatus::BadTolerance);
   options.ToleranceMap.clear();

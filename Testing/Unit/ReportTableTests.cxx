@@ -87,7 +87,7 @@ TEST(ReportTable, DistancesAreLeftOutWhenNoneWereMeasuredAndNothingElseIs)
   EXPECT_EQ(ReportEntries(report).size(), all - 4);
   report.DistancesMeasured = false;
   const std::vector<ReportEntry> entries = ReportEntries(report);
-  EXPECT_EQ(entries.size(), all - 22);
+  EXPECT_EQ(entries.size(), all - 28);
   for (const ReportEntry& entry : entries)
   {
     EXPECT_NE(entry.Name.rfind("distance.", 0), 0U) << entry.Name;

@@ -69,19 +69,6 @@ print(pyvista.Sphere().bone.decimate(target_triangles=200).n_cells)
             broken.bone.decimate()
         with self.assertRaisesRegex(ValueError, "no point array 'nonsense'"):
             bone().bone.decimate(tolerance_array="nonsense")
-        with self.assertRaisesRegex(TypeError, "decimate takes keywords: target_reduction=0.9"):
-            bone().bone.decimate(0.9)
-        for word in ("n_triangles", "target_count"):
-            with self.assertRaisesRegex(TypeError, f"no option '{word}' here .did you mean 'target_triangles'..$"):
-                bone().bone.decimate(**{word: 500})
-        with self.assertRaisesRegex(TypeError, "tolerance_array names one of the mesh"):
-            bone().bone.decimate(max_error=0.5, tolerances="nonsense")
-        with self.assertRaisesRegex(ValueError, "max_error is one for all"):
-            bone().bone.decimate(tolerances=0.2)
-
-    def test_a_run_that_was_ended_is_told(self):
-        with self.assertWarnsRegex(UserWarning, "ended the run: the mesh is decimated in part"):
-            bone().bone.decimate(max_error=0.5, progress_bar=lambda fraction: fraction < 0.3)
 
     def test_report_is_what_json_takes(self):
         mesh = bone()

@@ -46,6 +46,22 @@ class Results(unittest.TestCase):
             self.assertGreaterEqual(stopped.upper, whole.lower)
             self.assertEqual(stopped.report["stopped"], "stopped: bounds proved so far")
 
+    def test_wrong_keywords_are_told_what_was_meant(self):
+        bone = pyvista_test.bone
+        with self.assertRaisesRegex(TypeError, "decimate takes keywords: target_reduction=0.9"):
+            bone().bone.decimate(0.9)
+        for word in ("n_triangles", "target_count"):
+            with self.assertRaisesRegex(TypeError, f"no option '{word}' here .did you mean 'target_triangles'..$"):
+                bone().bone.decimate(**{word: 500})
+        with self.assertRaisesRegex(TypeError, "tolerance_array names one of the mesh"):
+            bone().bone.decimate(max_error=0.5, tolerances="nonsense")
+        with self.assertRaisesRegex(ValueError, "max_error is one for all"):
+            bone().bone.decimate(tolerances=0.2)
+
+    def test_a_run_that_was_ended_is_told(self):
+        with self.assertWarnsRegex(UserWarning, "ended the run: the mesh is decimated in part"):
+            pyvista_test.bone().bone.decimate(max_error=0.5, progress_bar=lambda fraction: fraction < 0.3)
+
     def test_certificates_are_neither_true_nor_false(self):
         mesh = pyvista_test.bone()
         certificate = mesh.bone.certify(mesh)

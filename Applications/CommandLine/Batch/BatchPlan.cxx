@@ -382,7 +382,11 @@ std::string OptionsText(const Arguments& arguments)
     {
       continue; // the results are the same
     }
-    text += (text.empty() ? "--" : " --") + flag + " " + value;
+    text.append(text.empty() ? "--" : " --").append(flag).append(" ").append(value);
+  }
+  for (const std::string& word : WordsOfSettings(arguments.Settings))
+  {
+    text.append(text.empty() ? "" : " ").append(word);
   }
   return text;
 }

@@ -129,8 +129,6 @@ void TakeReport(BatchRow& row, const std::string& report)
   row.Report = report;
   const Json output = ValueAt(json, "/files/output");
   row.Output = output.is_string() ? output.get<std::string>() : std::string();
-  const Json bytes = ValueAt(json, "/files/output_bytes");
-  row.OutputBytes = bytes.is_number_unsigned() ? bytes.get<std::uintmax_t>() : 0;
   for (const Json& warning : ValueAt(json, "/warnings"))
   {
     row.Message += (row.Message.empty() ? "warning: " : "; warning: ") +

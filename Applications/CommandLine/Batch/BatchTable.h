@@ -11,7 +11,6 @@
 #include "ExitCode.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -28,9 +27,8 @@ struct BatchRow
   nlohmann::json Figures; ///< Figures of its report, by column of summary.csv; null: none.
   /// Figures of each segment of a label map, by column of segments.csv.
   std::vector<nlohmann::json> Segments;
-  std::string Report;             ///< Path; empty: none.
-  std::string Output;             ///< The surface beside the report; empty: there are several.
-  std::uintmax_t OutputBytes = 0; ///< Its size, by the report.
+  std::string Report; ///< Path; empty: none.
+  std::string Output; ///< The surface beside the report; empty: there are several.
 };
 
 /// Takes figures and warnings from the file of a report. A report that cannot be read gives none.

@@ -10,6 +10,7 @@
 #include "ExitCode.h"
 #include "FilePath.h"
 #include "FolderEntries.h"
+#include "Report/JsonReport.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -69,22 +70,22 @@ std::optional<BatchRow> FailedRow(const fs::path& log, const fs::path& root)
   return row;
 }
 
-/// Whether the surface of a report is no longer what it was; the row then says so.
-void CheckSurface(const fs::path& folder, BatchRow& row)
+/// Says so in the row if the surfaces of a report are no longer what they were.
+void CheckSurfaces(const fs::path& report, BatchRow& row)
 {
-  if (row.Output.empty())
+  const bool isOfFolder = report.filename() == "report.json" &&
+    FilePath(row.Output).filename() == report.parent_path().filename();
+  const fs::path output =
+    isOfFolder ? report.parent_path() : report.parent_path() / FilePath(row.Output).filename();
+  if (!OutputMatches(report.string(), output.string()))
   {
-    return; // there are several
-  }
-  const std::string name = FilePath(row.Output).filename().string();
-  std::error_code error;
-  const auto bytes = fs::file_size(folder / FilePath(name), error);
-  if (error || bytes != row.OutputBytes)
-  {
+    std::error_code ignored;
+    const std::string what =
+      isOfFolder ? "surfaces" : "surface '" + output.filename().string() + "'";
     row.Status = "failed";
     row.Code = ExitCode::InputRejected;
-    row.Message =
-      "the surface '" + name + "' " + (error ? "is missing" : "is not that of the report");
+    row.Message = "the " + what +
+      (isOfFolder || fs::exists(output, ignored) ? " changed after the report" : " is missing");
     row.Figures = nullptr;
   }
 }
@@ -115,7 +116,7 @@ void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>
       row.Status = "done";
       row.Code = ExitCode::Done;
       TakeReport(row, path.string());
-      CheckSurface(folder, row);
+      CheckSurfaces(path, row);
       rows.push_back(std::move(row));
     }
   }

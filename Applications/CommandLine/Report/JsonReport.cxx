@@ -246,4 +246,14 @@ bool ReportMatches(
     at("/files/input_modified") == subject.InputStamp.Modified &&
     at("/files/output_bytes") == *bytes;
 }
+
+bool OutputMatches(const std::string& reportFile, const std::string& outputFile)
+{
+  std::ifstream stream(reportFile, std::ios::binary);
+  const Json report = Json::parse(stream, nullptr, false);
+  const Json::json_pointer position("/files/output_bytes");
+  const bool hasSize = report.is_object() && report.contains(position);
+  const std::optional<std::uintmax_t> bytes = hasSize ? BytesOf(outputFile, report) : std::nullopt;
+  return bytes && report[position] == *bytes;
+}
 }

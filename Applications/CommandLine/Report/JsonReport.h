@@ -108,6 +108,9 @@ void WriteJsonFile(const std::string& path, const nlohmann::ordered_json& json);
  */
 bool ReportMatches(
   const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject);
+
+/// Whether the output still has the size that its report says.
+bool OutputMatches(const std::string& reportFile, const std::string& outputFile);
 }
 
 #endif

@@ -106,33 +106,30 @@ void PrintVoxel(const ReportFields& report)
   }
 }
 
-/// Where the limit of smoothing is too small for what it should remove.
-std::string RemainingStepsText(const ReportFields& report)
-{
-  constexpr double remaining = 0.95; // of the mean angle
-  const double before = report.Number("smoothing.angle_before").value_or(0.0);
-  const double after = report.Number("smoothing.angle_after").value_or(0.0);
-  const std::optional<double> bound = report.Number("smoothing.bound");
-  return bound && after > remaining * before
-    ? "; its limit of " + MillimeterText(*bound) + " mm is too small for the steps of the voxels"
-    : std::string();
-}
-
 void PrintSmoothing(const ReportFields& report)
 {
-  const std::optional<double> largest = report.Number("smoothing.largest_displacement");
-  if (largest)
+  constexpr double remaining = 0.95; // of the mean angle
+  const auto value = [&report](const char* name)
+  { return report.Number(std::string("smoothing.") + name).value_or(0.0); };
+  if (!report.Number("smoothing.largest_displacement"))
   {
-    std::cout << "smoothed        by up to " << MillimeterText(*largest) << ", RMS "
-              << MillimeterText(report.Number("smoothing.rms_displacement").value_or(0.0))
-              << " mm; mean angle between neighbors "
-              << FixedText(report.Number("smoothing.angle_before").value_or(0.0), 1) << " -> "
-              << FixedText(report.Number("smoothing.angle_after").value_or(0.0), 1) << " degrees"
-              << (report.Number("smoothing.sharp_points").value_or(0.0) > 0.0
-                     ? "; " + Count(report, "smoothing.sharp_points") + " points on sharp edges"
-                     : "")
-              << RemainingStepsText(report) << "\n";
+    return;
   }
+  const double before = value("angle_before");
+  const double after = value("angle_after");
+  std::cout << "smoothed        by up to " << MillimeterText(value("largest_displacement"))
+            << ", RMS " << MillimeterText(value("rms_displacement"))
+            << " mm; mean angle between neighbors " << FixedText(before, 1) << " -> "
+            << FixedText(after, 1) << " degrees"
+            << (value("sharp_points") > 0.0
+                   ? "; " + Count(report, "smoothing.sharp_points") + " points on sharp edges"
+                   : "");
+  if (report.Number("voxels.compared") && after > remaining * before)
+  {
+    std::cout << "; its limit of " << MillimeterText(value("bound"))
+              << " mm is too small for the steps of the voxels";
+  }
+  std::cout << "\n";
 }
 
 /// Area, volume and thickness of the largest.

@@ -109,8 +109,7 @@ def extract_surfaces(
     elif axes is not None or affine is not None or layers is not None or not is_default(spacing, origin, direction):
         raise ValueError("a LabelMap and an image have their own axes, spacing, origin, direction and layers")
     label_map = label_map_from(label_map, None).on_model_grid(model_grid)
-    chosen, grid = chosen_labels(labels), label_map.grid
-    require_labels(label_map, chosen, background)
+    chosen, grid = present_labels(label_map, chosen_labels(labels), background), label_map.grid
     with listener(progress) as heard:
         outcome = _core.extract_surfaces(
             label_map.labels, *grid.to_core(), chosen,
@@ -144,13 +143,14 @@ def extract_label(
     return _core.extract_label(positions, corners, pairs, label_value("label", label))[:2]
 
 
-def require_labels(label_map: LabelMap, chosen: list[int], background: int) -> None:
-    """Raises ValueError if no voxel has one of the labels, or of none that are chosen any label."""
+def present_labels(label_map: LabelMap, chosen: list[int], background: int) -> list[int]:
+    """Those that are chosen. Raises ValueError if no voxel has one of them, or any label if none is chosen."""
     present = [int(label) for label in np.unique(label_map.labels) if label != background]
     if not present:
         raise ValueError("the label map has no label: every voxel is background")
     if chosen and not set(chosen) & set(present):
         raise ValueError(f"no voxel has label {', '.join(map(str, chosen))}; there are {', '.join(map(str, present[:20]))}")
+    return chosen
 
 
 def chosen_labels(labels: Iterable[int] | None) -> list[int]:

@@ -152,6 +152,12 @@ def read(keywords: Mapping[str, object], function: Callable, profile: str | None
     return options
 
 
+def require_keywords(misplaced: tuple[object, ...]) -> None:
+    """Raises TypeError if there are values without a keyword."""
+    if misplaced:
+        raise TypeError("decimate takes keywords: target_reduction=0.9, target_triangles=20000, or max_error=0.5 (mm)")
+
+
 def _unknown(key: str, known: list[str], without: Mapping[str, str]) -> str:
     if key in without:
         return f"there is no option '{key}' here: {without[key]}"

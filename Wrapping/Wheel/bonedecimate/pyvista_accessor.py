@@ -20,11 +20,11 @@ from .label_arrays import BOUNDARY_LABELS, GRID_POINT, LABEL_VALUES, add_grid
 from .label_maps import LabelSurfaces, extract_surfaces
 from .label_pieces import PieceChanges, change_pieces
 from .levels import Levels, open_levels, record_levels
-from .options import number, read, switch, takes_options, unsupported, words
+from .options import number, read, require_keywords, switch, takes_options, unsupported, words
 from .polydata import surface_of
 from .progress import Progress, listener
 from .report import Report
-from .run import fill_input_copy, fill_output, run, set_report
+from .run import endings, fill_input_copy, fill_output, run, set_report
 from .surface_report import report_of
 from .surfaces import edge_lengths_from, labels_from, surface_from, tolerances_from, warn
 from .voxel_check import NO_GRID, Comparison, VoxelChanges, check_voxels, source_with
@@ -136,11 +136,9 @@ class BoneAccessor:
 
         Raises what `bonedecimate.decimate` does.
         """
-        if misplaced:
-            raise TypeError("decimate takes keywords: target_reduction=0.9, target_triangles=20000, or max_error=0.5 (mm)")
+        require_keywords(misplaced)
         if isinstance(labels, str):
-            options = {**options, "labels": labels}
-            labels = None
+            options, labels = {**options, "labels": labels}, None
         values = read(options, BoneAccessor.decimate, profile)
         mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels, edge_lengths), label_map, boundary_labels)
         has_input = switch("with_input", with_input)
@@ -149,10 +147,8 @@ class BoneAccessor:
         with listener(progress_bar) as heard:
             outcome, surface = run(mesh, values, heard, reference)
         check(outcome, 2)
-        if outcome["stop"] == _core.StopReason.Aborted:
-            warn(["the progress function ended the run: the mesh is decimated in part, and nothing is proved"], 2)
-        if voxels is not None:
-            warn(voxels.differences(values.get("NumberOfThreads")), 2)
+        differences = [] if voxels is None else voxels.differences(values.get("NumberOfThreads"))
+        warn([*endings(outcome), *differences], 2)
         output = pv.PolyData()
         fill_output(outcome, surface, values, mesh, output)
         if not has_input:

@@ -157,3 +157,9 @@ def _add_own_arrays(outcome: dict, options: _core.Options, output: vtkPolyData) 
     add_point_array(output, options.get("PointCountArrayName"), "points", outcome["point_count"], vtkIntArray, 1)
     if len(outcome["error_bound"]):
         add_point_array(output, options.get("ErrorBoundArrayName"), "mm", outcome["error_bound"], vtkDoubleArray)
+
+
+def endings(outcome: dict) -> list[str]:
+    """A sentence if the progress function ended the run."""
+    is_ended = outcome["stop"] == _core.StopReason.Aborted
+    return ["the progress function ended the run: the mesh is decimated in part, and nothing is proved"] if is_ended else []

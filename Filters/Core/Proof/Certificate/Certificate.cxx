@@ -221,6 +221,12 @@ Certificate Certify(const Surface& reference, const Surface& result,
 {
   const auto start = std::chrono::steady_clock::now();
   Certificate found = certificate::Certifier(reference, result, options, monitor).Run();
+  const bool isOneEmpty = found.Status == CertificateStatus::EmptyReference ||
+    found.Status == CertificateStatus::EmptyResult;
+  if (isOneEmpty && (options.Tolerance || !options.ToleranceMap.empty()))
+  {
+    found.Proof = ProofStatus::Violated; // nothing is near to a surface without a triangle
+  }
   found.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return found;
 }
