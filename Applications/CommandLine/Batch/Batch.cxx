@@ -339,7 +339,7 @@ private:
 
   void WriteCsv() { this->Table = WriteTables(this->Requested.Output, this->Rows); }
 
-  /// Of the inputs of this shard.
+  /// The worst of this shard.
   ExitCode WorstCode() const
   {
     std::vector<BatchRow> own;

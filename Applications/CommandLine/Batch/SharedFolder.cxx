@@ -30,7 +30,7 @@ void Touch(const fs::path& folder)
 
 const char* const OptionsFile = "options";
 
-/// Of a file; nothing if it cannot be read.
+/// Nothing if the file cannot be read.
 std::optional<std::string> TextOf(const fs::path& file)
 {
   std::ifstream stream(file, std::ios::binary);

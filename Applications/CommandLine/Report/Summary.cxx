@@ -115,16 +115,14 @@ void PrintSmoothing(const ReportFields& report)
   {
     return;
   }
-  const double before = value("angle_before");
-  const double after = value("angle_after");
   std::cout << "smoothed        by up to " << MillimeterText(value("largest_displacement"))
             << ", RMS " << MillimeterText(value("rms_displacement"))
-            << " mm; mean angle between neighbors " << FixedText(before, 1) << " -> "
-            << FixedText(after, 1) << " degrees"
+            << " mm; mean angle between neighbors " << FixedText(value("angle_before"), 1) << " -> "
+            << FixedText(value("angle_after"), 1) << " degrees"
             << (value("sharp_points") > 0.0
                    ? "; " + Count(report, "smoothing.sharp_points") + " points on sharp edges"
                    : "");
-  if (report.Number("voxels.compared") && after > remaining * before)
+  if (report.Number("voxels.compared") && value("angle_after") > remaining * value("angle_before"))
   {
     std::cout << "; its limit of " << MillimeterText(value("bound"))
               << " mm is too small for the steps of the voxels";
