@@ -77,7 +77,10 @@ function bindDrop() {
   drop.addEventListener('dragenter', () => drop.classList.add('over'));
   ['dragleave', 'drop'].forEach((name) => drop.addEventListener(name, () => drop.classList.remove('over')));
   find('choose').accept = ACCEPTED;
-  find('choose').addEventListener('change', (event) => openAll(event.target.files));
+  find('choose').addEventListener('change', ({ target }) => {
+    openAll(target.files);
+    target.value = ''; // the same file may be chosen again
+  });
 }
 
 async function start() {
