@@ -24,7 +24,7 @@ FOLDER = ROOT / "build" / "windows-python"
 VERSIONS = """import platform
 from importlib.metadata import version
 print(f"Python {platform.python_version()}, VTK {version('vtk')}, PyVista {version('pyvista')}, numpy {version('numpy')}")"""
-IMAGES = ["highdicom", "nibabel", "pydicom", "pynrrd", "SimpleITK", "tifffile"]  # as in install_wheel.sh
+OTHERS = ["highdicom", "meshio", "nibabel", "pydicom", "pynrrd", "SimpleITK", "tifffile", "trimesh"]  # as in install_wheel.sh
 
 
 def build_wheel(version):
@@ -39,7 +39,7 @@ def build_wheel(version):
 
 def install(wheel, version, pip):
     """Downloaded here, installed by pip for Windows into that Python. Returns the versions."""
-    wanted = [f"{wheel}[pyvista,progress]", *IMAGES]
+    wanted = [f"{wheel}[pyvista,progress]", *OTHERS]
     downloads = FOLDER / "downloads" / version
     # pip downloads what the packages require on this system; on Windows tqdm requires colorama, too.
     needed(pip, "-q", "download", "--disable-pip-version-check", "--platform", "win_amd64", "--only-binary", ":all:",
