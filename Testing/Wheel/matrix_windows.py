@@ -24,7 +24,7 @@ FOLDER = ROOT / "build" / "windows-python"
 VERSIONS = """import platform
 from importlib.metadata import version
 print(f"Python {platform.python_version()}, VTK {version('vtk')}, PyVista {version('pyvista')}, numpy {version('numpy')}")"""
-OTHERS = ["highdicom", "meshio", "nibabel", "pydicom", "pynrrd", "SimpleITK", "tifffile", "trimesh"]  # as in install_wheel.sh
+OTHERS = ["highdicom", "meshio", "nibabel", "pydicom", "pynrrd", "SimpleITK", "tifffile", "trimesh"]  # for tests alone
 
 
 def build_wheel(version):
