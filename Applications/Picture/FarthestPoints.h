@@ -27,8 +27,8 @@ struct FarPoint
 
 struct LargestDistance
 {
-  double Distance = 0.0; ///< mm; 0: not known.
-  std::array<double, 3> Position{};
+  double Distance = 0.0;            ///< mm; 0: not known.
+  std::array<double, 3> Position{}; ///< mm
 };
 
 struct MeasuredSurface

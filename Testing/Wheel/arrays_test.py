@@ -258,7 +258,7 @@ class Rejections(unittest.TestCase):
 
     def test_unknown_options_are_type_errors_that_name_those_there_are(self):
         for name, rest in (("error", "did you mean 'max_error'"), ("zzz", "there are: mode, target_triangles"), ("n_faces", "did you mean 'target_triangles'"),
-                           ("tolerance_array", "")):
+                           ("distance_array_name", ": it is about the arrays"), ("pass_arrays", ": it is about the arrays"), ("tolerance_array", ": it is about the arrays")):
             with self.assertRaisesRegex(TypeError, f"no option '{name}' here.*{rest}"):
                 decimate(POINTS, TRIANGLES, **{name: 1})
 

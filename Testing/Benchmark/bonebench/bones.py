@@ -12,6 +12,16 @@ from pathlib import Path
 
 from .workers import Outcome, Programs, call
 
+HU = 226  # threshold of bone
+# Ranges of voxels along x, y and z.
+CROPS = {
+    "first crop": ((60, 190), (20, 150), (5, 75)),
+    "thin bone": ((70, 150), (110, 190), (10, 60)),
+    "vault": ((150, 230), (60, 140), (50, 105)),
+    "orbit": ((60, 130), (20, 90), (10, 50)),
+    "skull base": ((90, 170), (70, 150), (6, 51)),
+    "occiput": ((80, 180), (150, 222), (30, 90)),
+}
 CRANIUM = Path("/usr/share/doc/invesalius-examples/examples/Cranium.inv3")
 
 

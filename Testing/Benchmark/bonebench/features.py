@@ -22,15 +22,14 @@ from pathlib import Path
 from typing import Any, Callable, Iterator, Sequence
 
 from . import machine, pages
-from .bones import Bone, Workshop, count_triangles
+from .bones import CROPS, HU, Bone, Workshop, count_triangles
 from .contest import Verifier
 from .document import DATA, RESULTS
 from .records import BACK, THERE, Record, text, write_file
 from .workers import Programs
 
 Row = dict[str, Any]
-CROPS = {"vault": ((150, 230), (60, 140), (50, 105)), "thin bone": ((70, 150), (110, 190), (10, 60))}  # voxels of the CT along x, y, z
-BONE_HU = 226
+CROPS_OF_VOXELS = ("vault", "thin bone")
 BONES = ("maxilla", "frontal")  # without --bone
 
 
@@ -102,7 +101,7 @@ class Lab:
         rows = (array.array("h", voxels[2 * (x0 + 256 * (y + 256 * z)):2 * (x1 + 256 * (y + 256 * z))])
                 for z in range(z0, z1) for y in range(y0, y1))
         header = self.folder / f"{name.replace(' ', '-')}.mhd"
-        header.with_suffix(".raw").write_bytes(bytes(value >= BONE_HU for row in rows for value in row))
+        header.with_suffix(".raw").write_bytes(bytes(value >= HU for row in rows for value in row))
         header.write_text(f"ObjectType = Image\nNDims = 3\nDimSize = {x1 - x0} {y1 - y0} {z1 - z0}\nElementSpacing = 0.9570312 0.9570312 1.5\n"
                           f"ElementType = MET_UCHAR\nElementDataFile = {header.stem}.raw\n", encoding="ascii")
         return header
@@ -141,7 +140,7 @@ def lengths(lab: Lab) -> Iterator[Row]:
 
 def voxels(lab: Lab) -> Iterator[Row]:
     """What it costs that every voxel keeps its label."""
-    for name, error, keep in itertools.product(CROPS, (0.25, 0.478, 0.957), ("off", "on")):
+    for name, error, keep in itertools.product(CROPS_OF_VOXELS, (0.25, 0.478, 0.957), ("off", "on")):
         done = lab.run(lab.crop(name), "--segments", "all", "--format", "ply", "--max-error", error, "--keep-voxels", keep, "--measure", "off",
                        result="labels")
         yield {"crop": name, "input triangles": done.report["input"]["triangles"], "largest error, mm": error, "KeepVoxels": keep,

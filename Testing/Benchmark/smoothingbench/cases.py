@@ -16,21 +16,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkImagingCore import vtkImageResample
 from vtkmodules.vtkIOImage import vtkMetaImageReader
 
+from bonebench.bones import CROPS, HU
+
 from .surfaces import Surface, arrays_of, image_of, isosurface
 
 CRANIUM = Path("/usr/share/doc/invesalius-examples/examples/Cranium.inv3")
 CT_SPACING = (0.9570312, 0.9570312, 1.5)
-HU = 226
 MARGIN = 6  # voxels that the methods get beyond the crop on each side, so that its ends do not count
-# Ranges of voxels along x, y and z.
-CROPS = {
-    "first crop": ((60, 190), (20, 150), (5, 75)),
-    "thin bone": ((70, 150), (110, 190), (10, 60)),
-    "vault": ((150, 230), (60, 140), (50, 105)),
-    "orbit": ((60, 130), (20, 90), (10, 50)),
-    "skull base": ((90, 170), (70, 150), (6, 51)),
-    "occiput": ((80, 180), (150, 222), (30, 90)),
-}
 FIRST, SECOND = "marching cubes", "finer grid"  # the truths
 Coordinates = tuple[np.ndarray, np.ndarray, np.ndarray]
 Distance = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
