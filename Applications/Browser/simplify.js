@@ -62,13 +62,13 @@ function tell(result, proof, seconds) {
   say('first-name', 'triangles before');
   say('second-name', 'triangles after');
   say('upper', above(proof.upper));
-  const { input, output } = result.report;
+  const { input, output, pruned } = result.report;
   fillTable('certificate', [
     ['Certificate', `no point of either surface is farther than ${above(proof.upper)} from the other one`],
     ['Largest distance, at least', below(proof.lower)],
     ...(proof.boundaries === 'both' ? [['Open boundaries', `within ${above(boundaryOf(proof))} of each other`]] : []),
     ['Proved', proof.isOfRun ? 'with every edit and once more at the end' : 'after the run'],
-    ['Components', `${output.components} of ${input.components}`],
+    ['Components', `${output.components} of ${input.components + (pruned?.components ?? 0)}`],
     ['Why it ended', result.stop],
     ['Seconds of decimation', seconds.toFixed(2)],
     ...result.warnings.map((warning) => ['Note', warning]),

@@ -22,6 +22,7 @@ from application import (
     main,
     read,
     sphere,
+    together,
     torus,
     write,
 )
@@ -129,6 +130,13 @@ class Batch(ApplicationTest):
         self.assertRegex(lines[-1], r"^6 files: 5 done, 1 failed; table: bones/out/summary.csv$")
         self.run_program("bones", "out", "--target-triangles", 400, *UNMEASURED)
         self.assertEqual(sorted(self.statuses().values()), ["failed"] + 5 * ["skipped"])
+
+    def test_pruned_components_count_among_those_before(self):
+        write(together(torus(), sphere(8, center=60.0)), self.bones / "b.stl")
+        self.run_batch("bones", "out", "--only", "b.stl", "--prune-size", 25, "--target-triangles", 500)
+        row = self.rows()["b"]
+        self.assertEqual((row["components_in"], row["components_out"], row["triangles_out"]), ("2", "1", "500"))
+        self.assertEqual(int(row["triangles_in"]), torus().GetNumberOfPolys() + sphere(8).GetNumberOfPolys())
 
     def test_only_files_of_a_pattern(self):
         (self.bones / "below").mkdir()

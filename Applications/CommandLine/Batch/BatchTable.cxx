@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
 
 namespace bonedecimate
@@ -124,6 +125,14 @@ void TakeReport(BatchRow& row, const std::string& report)
   for (const ReportColumn& column : ReportColumns)
   {
     row.Figures[column.Heading] = ValueAt(json, column.Pointer);
+  }
+  for (const char* count : { "triangles", "components" }) // before they were pruned
+  {
+    const Json pruned = ValueAt(json, (std::string("/pruned/") + count).c_str());
+    Json& before = row.Figures[std::string(count) + "_in"];
+    before = pruned.is_number() && before.is_number()
+      ? Json(before.get<std::int64_t>() + pruned.get<std::int64_t>())
+      : before;
   }
   row.Segments = SegmentRows(json);
   row.Report = report;

@@ -338,7 +338,7 @@ def statistics(found, names=()):
     """
     before, after, proof = found["input"], found["output"], found.get("proof", {})
     lines = [f"{before['triangles']:,.0f} -> {after['triangles']:,.0f} triangles",
-             f"{before['components']:,.0f} -> {after['components']:,.0f} fragments"]
+             f"{before['components'] + found.get('pruned', {}).get('components', 0):,.0f} -> {after['components']:,.0f} fragments"]
     if "largest_displacement" in found.get("smoothing", {}):
         moved = found["smoothing"]
         lines.append(f"smoothing moved points by {moved['largest_displacement']:.4f} mm at most, {moved['rms_displacement']:.4f} mm RMS")
