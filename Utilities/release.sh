@@ -34,27 +34,24 @@ make_sdist()
   "$tools/bin/pip" wheel -q --no-deps --disable-pip-version-check -w build/release-tools/wheel "$folder/bonedecimate-$version.tar.gz"
 }
 
-# What the program of the wheel is compared with.
-build_program()
-{
-  cmake --preset release && cmake --build --preset release --target bonedecimate bonedecimate-phantom
-}
-
+# The wheels are compared with what this system makes.
 make_wheel()
 {
-  build_program
+  Utilities/build_release.sh
   Utilities/build_wheel.sh --portable "$folder"
   /usr/bin/python3 -B Testing/Wheel/check_program.py "$folder"/bonedecimate-"$version"-*manylinux*x86_64.whl
 }
 
 make_arm64()
 {
+  Utilities/build_release.sh
   Utilities/check_arm64.sh --wheel
   cp build/arm64-wheel/*.whl "$folder"
 }
 
 make_windows()
 {
+  Utilities/build_release.sh
   Utilities/check_windows.sh --wheel
   Utilities/check_windows.sh --program
   cp build/windows-python/wheels/*/*.whl build/windows-program/*.zip "$folder"
@@ -98,7 +95,7 @@ if [ -n "$(git status --porcelain)" ]; then
   echo "The tree is not clean: a release is that of a commit." >&2
   exit 1
 fi
-Utilities/install_packages.sh core build run
+Utilities/install_packages.sh core build run site
 Utilities/check_release.py
 mkdir -p "$folder" "$roots"
 [ $# -gt 0 ] || set -- sdist wheel arm64 windows npm bookworm trixie site
