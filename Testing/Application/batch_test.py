@@ -9,6 +9,7 @@ import shutil
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 from application import (
     NO_MEMORY,
@@ -49,6 +50,10 @@ class Batch(ApplicationTest):
     def statuses(self):
         return {name: row["status"] for name, row in self.rows().items()}
 
+    def kept(self):
+        """Those that an earlier run had finished."""
+        return {name for name, row in self.rows().items() if row["message"] == "by an earlier run; --force does it again"}
+
     def test_folder_of_bones(self):
         (self.bones / "notes.txt").write_text("no bone")
         (self.bones / ".hidden.stl").write_text("no bone")
@@ -59,7 +64,7 @@ class Batch(ApplicationTest):
         )
         self.assertEqual(list(self.rows()), ["a", "b", "notes.txt"])
         row = self.rows()["b"]
-        self.assertEqual((row["status"], row["exit_code"], row["message"]), ("done", "0", ""))
+        self.assertEqual((row["output"], row["status"], row["exit_code"], row["message"]), (row["name"] + Path(row["input"]).suffix, "done", "0", ""))
         self.assertEqual((row["triangles_in"], row["triangles_out"]), ("1920", "960"))
         self.assertEqual((row["components_in"], row["components_out"]), ("1", "1"))
         report = self.report("out/b.json")
@@ -129,7 +134,8 @@ class Batch(ApplicationTest):
         self.assertEqual(len(lines), 8)
         self.assertRegex(lines[-1], r"^6 files: 5 done, 1 failed; table: bones/out/summary.csv$")
         self.run_program("bones", "out", "--target-triangles", 400, *UNMEASURED)
-        self.assertEqual(sorted(self.statuses().values()), ["failed"] + 5 * ["skipped"])
+        self.assertEqual(sorted(self.statuses().values()), 5 * ["done"] + ["failed"])
+        self.assertEqual(len(self.kept()), 5)
 
     def test_pruned_components_count_among_those_before(self):
         write(together(torus(), sphere(8, center=60.0)), self.bones / "b.stl")
@@ -227,39 +233,52 @@ class Batch(ApplicationTest):
         self.assertEqual(completed.returncode, REJECTED)
         self.assertEqual(self.statuses(), {"a": "done", "nothing": "failed"})
 
-    def test_finished_bones_are_skipped(self):
+    def test_finished_bones_are_kept(self):
         self.run_batch("bones", "out")
         before = self.path("out/a.ply").stat().st_mtime_ns
         table = self.rows()
         self.run_batch("bones", "out", "--threads", 1)
-        self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped"})
+        self.assertEqual(self.statuses(), {"a": "done", "b": "done"})
+        self.assertEqual(self.kept(), {"a", "b"})
         self.assertEqual(self.path("out/a.ply").stat().st_mtime_ns, before)
         self.assertEqual(self.rows()["a"]["triangles_out"], table["a"]["triangles_out"])
         self.run_batch("bones", "out", "--force")
-        self.assertEqual(self.statuses(), {"a": "done", "b": "done"})
+        self.assertEqual(self.kept(), set())
 
-    def test_changed_bones_and_options_are_done_again(self):
+    def test_changed_bones_are_done_again(self):
         self.run_batch("bones", "out")
         os.utime(self.bones / "a.ply", (1, 1))
         self.run_batch("bones", "out")
-        self.assertEqual(self.statuses(), {"a": "done", "b": "skipped"})
+        self.assertEqual(self.kept(), {"b"})
         self.path("out/b.stl").write_bytes(b"cut")
         self.run_batch("bones", "out")
-        self.assertEqual(self.statuses(), {"a": "skipped", "b": "done"})
+        self.assertEqual(self.kept(), {"a"})
         self.path("out/b.json").write_text("no report")
         self.run_batch("bones", "out")
-        self.assertEqual(self.statuses(), {"a": "skipped", "b": "done"})
+        self.assertEqual(self.kept(), {"a"})
+
+    def test_results_of_other_options_are_not_lost(self):
         self.run_batch("bones", "out", "--max-error", 0.5)
-        self.assertEqual(self.statuses(), {"a": "done", "b": "done"})
+        before = {file.name: file.read_bytes() for file in self.path("out").iterdir()}
+        for words in (("bones", "out", *UNMEASURED), ("bones", "out", *UNMEASURED, "--explain")):
+            self.fail_with(USAGE, *words, says="'out' has 2 results of other options, the first is 'a' (--max-error 0.5 --measure off")
+        self.assertEqual({file.name: file.read_bytes() for file in self.path("out").iterdir()}, before)
+        self.assertRegex(self.succeed("bones", "out", *UNMEASURED, "--max-error", "0.5", "--explain").stdout, r"(?m)^finished +'bones/a.ply' -> ")
         self.run_batch("bones", "out", "--max-error", "0.50")
-        self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped"})
+        self.assertEqual(self.kept(), {"a", "b"})
+        self.run_batch("bones", "out", "--force")
+        self.assertEqual(self.kept(), set())
+        self.assertEqual(self.rows()["a"]["bound_mm"], "")
+        self.path("out/a.ply").unlink()  # nothing to lose
+        self.fail_with(USAGE, "bones", "out", *UNMEASURED, "--max-error", 0.5, says="1 result of other options, the first is 'b'")
 
     def test_failed_bone_is_tried_again(self):
         (self.bones / "z.obj").write_text("")
         self.run_program("bones", "out", *UNMEASURED)
         write(torus(), self.bones / "z.obj")
         self.run_batch("bones", "out")
-        self.assertEqual(self.statuses(), {"a": "skipped", "b": "skipped", "z": "done"})
+        self.assertEqual(self.statuses(), {"a": "done", "b": "done", "z": "done"})
+        self.assertEqual(self.kept(), {"a", "b"})
 
     def test_equal_names_do_not_overwrite_each_other(self):
         other = self.path("other")

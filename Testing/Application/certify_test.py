@@ -222,6 +222,14 @@ class CertifyFolders(ApplicationTest):
         self.succeed("certify", "before", "after", "--tolerance", 0.3)
         self.assertAlmostEqual(rows[1]["certificate"]["upper"], 0.125, 6)
 
+    def test_names_are_those_of_a_batch(self):
+        write(square(0.0), self.path("before/a.obj"))
+        self.path("after/a.stl").rename(self.path("after/a_ply.stl"))
+        write(square(0.0), self.path("after/a_obj.ply"))
+        completed = self.succeed("certify", "before", "after", "--tolerance", 0.3)
+        self.assertIn("a_obj: 0.000000 to ", completed.stdout)
+        self.assertIn("3 pairs: 3 proved\n", completed.stdout)
+
     def test_ends_with_the_worst_code(self):
         self.assertEqual(self.run_program("certify", "before", "after", "--tolerance", 0.2).returncode, VIOLATED)
         self.path("after/a.stl").write_bytes(b"solid nothing\nendsolid\n")

@@ -280,15 +280,16 @@ class Segments(ApplicationTest):
         folder = ["index.html", "label_1.ply", "label_7.ply", "picture.png", "report.json"]
         for name in "ab":
             self.assertEqual(sorted(p.name for p in self.path(f"out/{name}").iterdir()), folder)
-        self.assertEqual(self.statuses(), ["done", "done"])
+        self.assertEqual(self.column("status"), ["done", "done"])
+        self.assertEqual(self.column("output"), ["a/", "b/"])
         self.path("out/b/label_7.ply").unlink()
-        self.succeed(*words)
-        self.assertEqual(self.statuses(), ["skipped", "done"])
+        self.assertEqual(self.succeed(*words).stdout.count("by an earlier run"), 1)
+        self.assertEqual(self.column("status"), ["done", "done"])
         self.assertTrue(self.path("out/b/label_7.ply").exists())
 
-    def statuses(self):
+    def column(self, heading):
         with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
-            return [row["status"] for row in csv.DictReader(file)]
+            return [row[heading] for row in csv.DictReader(file)]
 
     def test_contradictions_are_rejected(self):
         self.succeed("map.vti", "bone.vtp", "--segments", "1", "--target-reduction", 0.3, "--measure", "off")

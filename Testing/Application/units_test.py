@@ -140,7 +140,7 @@ class Units(ApplicationTest):
             (self.path("bones") / name).write_bytes(self.path("m.stl").read_bytes())
         self.succeed("bones", "out", "--unit", "m", "--max-error", 0.2, *UNMEASURED)
         self.assertEqual(self.report("out/a.json")["files"]["unit"], "m")
-        self.assertIn("skipped", self.succeed("bones", "out", "--unit", "m", "--max-error", 0.2, *UNMEASURED).stdout)
+        self.assertIn("by an earlier run", self.succeed("bones", "out", "--unit", "m", "--max-error", 0.2, *UNMEASURED).stdout)
 
     def test_the_form_of_the_thesis_takes_it(self):
         write(scaled(torus(), 0.001), self.path("bone.obj"))

@@ -266,8 +266,10 @@ class Volumes(ApplicationTest):
         self.write_ball(self.path("scans") / "ct.vti")
         self.succeed("scans", "out", "--iso", 226)
         self.assertGreater(read(self.path("out/ct.vtp")).GetNumberOfPolys(), 4)
-        self.assertIn("skipped", self.succeed("scans", "out", "--iso", 226).stdout)
-        self.assertNotIn("skipped", self.succeed("scans", "out", "--iso", 300).stdout)
+        self.assertIn("by an earlier run", self.succeed("scans", "out", "--iso", 226).stdout)
+        self.fail_with(USAGE, "scans", "out", "--iso", 300, says="1 result of other options, the first is 'ct' (--iso 226)")
+        self.succeed("certify", "scans", "out", "--iso", 226)
+        self.fail_with(REJECTED, "certify", "scans", "out", says="no surface is in it; --iso takes the bone surface of CT volumes")
         self.fail_with(REJECTED, "scans", "none", says="no surface")
 
 

@@ -2,89 +2,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pages with the interactive view, in Chromium with its software renderer."""
 
-import base64
 import json
 import os
 import pathlib
 import re
-import subprocess
 import tempfile
 import unittest
-import zlib
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader
 
 import browser as chromium
 from browser import Browser, drawn
+from scenes import Scene, run, write_balls
 
 PROGRAM = os.environ["BONEDECIMATE_PROGRAM"]
 PHANTOM = os.environ["PHANTOM"]
 RADIUS = 40.0  # mm, of the large ball
 STAGE = "#viewer-stage"
-
-
-def run(*words, folder=None):
-    done = subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, f"{words}:\n{done.stdout}\n{done.stderr}"
-
-
-def write_balls(path, *balls):
-    """Balls as (radius, x), mm."""
-    both = vtkAppendPolyData()
-    for radius, x in balls:
-        ball = vtkSphereSource()
-        ball.SetRadius(radius)
-        ball.SetCenter(x, 0.0, 0.0)
-        ball.SetThetaResolution(60)
-        ball.SetPhiResolution(40)
-        both.AddInputConnection(ball.GetOutputPort())
-    writer = vtkPLYWriter()
-    writer.SetFileName(str(path))
-    writer.SetInputConnection(both.GetOutputPort())
-    writer.Write()
-
-
-class Scene:
-    """The surfaces of a page, read as Applications/Picture/README.md describes them."""
-
-    def __init__(self, page):
-        text = page.read_text(encoding="utf-8")
-        self.scene = json.loads(re.search(r'id="viewer-scene">(.*?)</script>', text, re.DOTALL).group(1))
-        self.bytes = [zlib.decompress(base64.b64decode(data)) for data in re.findall(r'class="surface">(.*?)</script>', text)]
-
-    def pieces(self, index):
-        """For each piece the corners of its triangles, mm, and their distances, mm, or None."""
-        surface = self.scene["surfaces"][index]
-        data = iter(self.bytes[index])
-
-        def number():
-            value, shift, byte = 0, 0, 128
-            while byte & 128:
-                byte = next(data)
-                value |= (byte & 127) << shift
-                shift += 7
-            return value
-
-        for piece in surface["pieces"]:
-            count = piece["points"]
-            numbers = [number() for _ in range(3 * count)]
-            steps = [(n + 1) // -2 if n % 2 else n // 2 for n in numbers]
-            points = np.cumsum(np.reshape(steps, (3, count)), axis=1).T * self.scene["grid"]["step"] + self.scene["grid"]["origin"]
-            corners, used = [], 0
-            for _ in range(3 * piece["triangles"]):
-                back = number()
-                corners.append(used - back)
-                used += back == 0
-            triangles = np.reshape(corners, (-1, 3))
-            distances = None
-            if surface["hasDistances"]:
-                distances = np.array([next(data) for _ in range(count)])[triangles] * self.scene["distances"]["range"] / 255
-            yield points[triangles], distances
 
 
 class Data(unittest.TestCase):
@@ -228,6 +165,17 @@ class Page(unittest.TestCase):
         self.assertFalse(self.browser.is_shown("#viewer-legend"))
         self.assertEqual(self.colored(), 0)
 
+    def test_the_legend_covers_no_bone(self):
+        self.open("bones/index.html")
+        rect = "return document.querySelector(arguments[0]).getBoundingClientRect().toJSON()"
+        legend, stage = (self.browser.run(rect, of) for of in ("#viewer-legend", STAGE))
+        self.browser.click("#viewer-distances")
+        for mode in ("sides", "after"):
+            self.browser.set("#viewer-compare", mode)
+            rows = np.flatnonzero(drawn(self.picture()[40:-2, 110:-2]).any(axis=1))
+            self.assertLess(rows[-1] + 40, legend["top"] - stage["top"] + 2, mode)
+            self.assertGreater(rows[-1] - rows[0], 0.6 * stage["height"], mode)
+
     def test_colors_the_last_fifth_of_the_distances_and_shows_their_legend_at_once(self):
         scene = Scene(self.folder / "near/index.html").scene["distances"]
         report = json.loads((self.folder / "near/report.json").read_text(encoding="utf-8"))
@@ -281,7 +229,7 @@ class Page(unittest.TestCase):
         width, height = self.browser.run("const s = document.getElementById('viewer-stage'); return [s.clientWidth, s.clientHeight]")
         for (x, y), middle in zip(circles, (0.25, 0.75), strict=True):
             self.assertAlmostEqual(x, middle * width, delta=2)
-            self.assertAlmostEqual(y, 0.5 * height, delta=2)
+            self.assertAlmostEqual(y, 0.5 * (height - 84), delta=2)  # above the legend
         self.browser.click("#viewer-reset")
         self.assertTrue(np.array_equal(self.picture()[40:-80], before))
 

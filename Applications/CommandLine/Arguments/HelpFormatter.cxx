@@ -191,8 +191,9 @@ std::string BatchText()
          "would get the same. One that fails does not stop the others. Files of a folder that are\n"
          "no surfaces or volumes are skipped, each with a row in summary.csv. Run again, a bone "
          "is\n"
-         "skipped if its report names the same version, options, input size and time of change,\n"
-         "and its output has the size it was written with. The program ends with the highest\n"
+         "done if its report names the same version, options, input size and time of change, and\n"
+         "its output has the size it was written with; results of other options need --force or\n"
+         "another folder. The program ends with the highest\n"
          "code of those that failed; a bone whose process died counts as 5. It ends with 8 if "
          "none\n"
          "failed and volumes of a folder were left out for want of --iso and --segments.";

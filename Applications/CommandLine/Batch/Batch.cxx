@@ -3,17 +3,18 @@
 #include "Batch.h"
 
 #include "BatchJob.h"
+#include "BatchOptions.h"
 #include "BatchOutput.h"
 #include "BatchPlan.h"
 #include "BatchTable.h"
 #include "BoneVolume.h"
+#include "EarlierResults.h"
 #include "FailureLog.h"
 #include "FilePath.h"
 #include "Files/FileNames.h"
 #include "Files/StagedFile.h"
 #include "Files/StagedFolder.h"
 #include "NumberText.h"
-#include "Report/JsonReport.h"
 #include "Segments/SegmentChoice.h"
 #include "SharedFolder.h"
 #include "Terminal/Interruption.h"
@@ -63,6 +64,7 @@ public:
     , Rows(Bones.size())
     , Printed(arguments.Quiet)
   {
+    RejectOtherOptions(this->Bones, arguments);
     for (std::size_t i = 0; i < this->Bones.size(); ++i)
     {
       this->Rows[i].Name = this->Bones[i].Name;
@@ -149,7 +151,7 @@ private:
     }
     else if (!this->Requested.Shard.Has(index))
     {
-      this->End(index, "skipped", ExitCode::Done, OfAnotherShard);
+      this->End(index, "not run", ExitCode::Done, OfAnotherShard);
     }
     else if (const auto failure = this->Shared->FailureOf(bone.Name))
     {
@@ -200,16 +202,14 @@ private:
   void EndFinished(std::size_t index)
   {
     const bool isNew = this->Shared->IsNew(this->Bones[index].Report);
-    this->End(index, isNew ? "done" : "skipped", ExitCode::Done,
-      isNew ? "" : "finished by an earlier run; --force does it again", true);
+    this->End(
+      index, "done", ExitCode::Done, isNew ? "" : "by an earlier run; --force does it again", true);
   }
 
   bool IsFinished(const BatchBone& bone) const
   {
-    ReportSubject subject = SubjectOf(this->Requested, bone.Input, bone.Output);
-    subject.Given = OptionsFor(bone, this->Requested);
     return (!this->Requested.Force || this->Shared->IsNew(bone.Report)) &&
-      ReportMatches(bone.Report, bone.Output, subject);
+      HasEarlierResult(bone, this->Requested);
   }
 
   void Start(std::size_t bone)

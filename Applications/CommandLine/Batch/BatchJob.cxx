@@ -3,6 +3,7 @@
 #include "BatchJob.h"
 
 #include "Arguments/MemoryArguments.h"
+#include "BatchOptions.h"
 #include "NumberText.h"
 
 namespace bonedecimate

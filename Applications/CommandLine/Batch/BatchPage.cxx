@@ -55,7 +55,7 @@ std::string LinksOf(const BatchRow& row, const fs::path& folder)
 {
   if (row.Report.empty())
   {
-    return "";
+    return LinkTo(folder / FilePath(row.Name + ".log"), folder, "log");
   }
   const fs::path report = FilePath(row.Report);
   const fs::path beside = report.parent_path();

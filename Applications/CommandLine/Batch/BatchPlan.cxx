@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BatchPlan.h"
 
-#include "Base/Parallel.h"
 #include "Base/Text.h"
 #include "BoneVolume.h"
 #include "ExitCode.h"
@@ -12,8 +11,6 @@
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
 #include "NamePattern.h"
-#include "Options/OptionTable.h"
-#include "Settings/Settings.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -294,11 +291,6 @@ void NameOutputs(BatchBone& bone, const Arguments& arguments)
     bone.Report = (folder / name).string() + ".json";
   }
 }
-
-bool HasNumberOfThreads(const Arguments& arguments)
-{
-  return arguments.Given.count(FindOption("NumberOfThreads")->Flag) > 0;
-}
 }
 
 std::string PathBelow(const BatchBone& bone)
@@ -306,7 +298,7 @@ std::string PathBelow(const BatchBone& bone)
   return (FilePath(bone.Below) / FilePath(BaseName(bone.Input))).string();
 }
 
-std::vector<BatchBone> PlanBatch(const Arguments& arguments)
+std::vector<BatchBone> FindBones(const Arguments& arguments)
 {
   std::vector<BatchBone> bones;
   for (const std::string& input : arguments.Inputs)
@@ -321,73 +313,19 @@ std::vector<BatchBone> PlanBatch(const Arguments& arguments)
       AddFileOrFolder(bones, input);
     }
   }
-  CheckThatThereAreBones(bones, arguments);
   NameAll(bones);
+  return bones;
+}
+
+std::vector<BatchBone> PlanBatch(const Arguments& arguments)
+{
+  std::vector<BatchBone> bones = FindBones(arguments);
+  CheckThatThereAreBones(bones, arguments);
   for (BatchBone& bone : bones)
   {
     NameOutputs(bone, arguments);
   }
   CheckOverwriting(bones);
   return bones;
-}
-
-std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Arguments& arguments)
-{
-  std::map<std::string, std::string> given = arguments.Given;
-  if (!bone.Volume)
-  {
-    for (const char* ofVolumes :
-      { "iso", "intensities", "segments", "label-names", "format", "fill-volume", "model-grid" })
-    {
-      given.erase(ofVolumes);
-    }
-  }
-  if (!NeedsSpacing(bone.Input))
-  {
-    given.erase("spacing");
-  }
-  if (!HasSeries(bone.Input))
-  {
-    given.erase("series");
-  }
-  return given;
-}
-
-std::vector<std::string> WordsFor(const BatchBone& bone, const Arguments& arguments)
-{
-  std::vector<std::string> words = { "--quiet", "--report", bone.Report };
-  for (const auto& [flag, text] : OptionsFor(bone, arguments))
-  {
-    words.insert(words.end(), { "--" + flag, text });
-  }
-  const unsigned int jobs = static_cast<unsigned int>(std::max(arguments.Jobs, 1));
-  if (jobs > 1 && !HasNumberOfThreads(arguments))
-  {
-    const unsigned int threads = std::max(1U, NumberOfProcessors() / jobs);
-    words.insert(
-      words.end(), { "--" + FindOption("NumberOfThreads")->Flag, std::to_string(threads) });
-  }
-  const std::vector<std::string> settings = WordsOfSettings(arguments.Settings);
-  words.insert(words.end(), settings.begin(), settings.end());
-  words.insert(words.end(), { "--", bone.Input, bone.Output });
-  return words;
-}
-
-std::string OptionsText(const Arguments& arguments)
-{
-  std::string text;
-  for (const auto& [flag, value] : arguments.Given)
-  {
-    if (flag == FindOption("NumberOfThreads")->Flag)
-    {
-      continue; // the results are the same
-    }
-    text.append(text.empty() ? "--" : " --").append(flag).append(" ").append(value);
-  }
-  for (const std::string& word : WordsOfSettings(arguments.Settings))
-  {
-    text.append(text.empty() ? "" : " ").append(word);
-  }
-  return text;
 }
 }

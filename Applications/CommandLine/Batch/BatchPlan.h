@@ -10,7 +10,6 @@
 #include "Arguments/Arguments.h"
 #include "ExitCode.h"
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -37,22 +36,17 @@ struct BatchBone
  * leaves out, and the output folder. What is neither a surface nor a volume has a reason instead of
  * outputs and counts as Done, because the command line did not name it; a volume without --iso and
  * --segments counts as LeftOut, a folder that cannot be read as InputRejected.
+ */
+std::vector<BatchBone> FindBones(const Arguments& arguments);
+
+/**
+ * The same, with their outputs.
  * @throws Failure(ExitCode::InputRejected) if there is no bone, Failure(ExitCode::Usage) if an
  * output is an input, or if --iso is given and there is no volume.
  */
 std::vector<BatchBone> PlanBatch(const Arguments& arguments);
 
-/// The input below the folder that was searched; of a named file its base name.
 std::string PathBelow(const BatchBone& bone);
-
-/// The options that hold for one of them: --iso and --segments only for volumes.
-std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Arguments& arguments);
-
-/// The options of the runs, as on a command line, without those that change no result.
-std::string OptionsText(const Arguments& arguments);
-
-/// The words that make this program do one of them.
-std::vector<std::string> WordsFor(const BatchBone& bone, const Arguments& arguments);
 }
 
 #endif

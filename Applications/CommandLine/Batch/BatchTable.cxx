@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 
 namespace bonedecimate
@@ -112,6 +113,22 @@ std::string FieldOf(const Json& value)
                            : "";
 }
 
+/// The surface below the folder of the table, or the folder of several.
+std::string OutputBelow(const std::string& folder, const BatchRow& row)
+{
+  if (row.Report.empty())
+  {
+    return {};
+  }
+  namespace fs = std::filesystem;
+  const fs::path report = FilePath(row.Report).lexically_relative(FilePath(folder));
+  const fs::path output = FilePath(row.Output).filename();
+  const bool isFolder =
+    report.filename() == "report.json" && report.parent_path().filename() == output;
+  return isFolder ? report.parent_path().generic_string() + "/"
+                  : (report.parent_path() / output).generic_string();
+}
+
 std::string WithoutBlanksAtEnd(const std::string& line)
 {
   return line.substr(0, line.find_last_not_of(' ') + 1);
@@ -145,9 +162,9 @@ void TakeReport(BatchRow& row, const std::string& report)
   }
 }
 
-std::string ComposeCsv(const std::vector<BatchRow>& rows)
+std::string ComposeCsv(const std::string& folder, const std::vector<BatchRow>& rows)
 {
-  std::string text = "name,input,status,exit_code";
+  std::string text = "name,input,output,status,exit_code";
   for (const ReportColumn& column : ReportColumns)
   {
     text += std::string(",") + column.Heading;
@@ -155,7 +172,8 @@ std::string ComposeCsv(const std::vector<BatchRow>& rows)
   text += ",message\n";
   for (const BatchRow& row : rows)
   {
-    text += QuotedField(row.Name) + "," + QuotedField(row.Input) + "," + row.Status + "," +
+    text += QuotedField(row.Name) + "," + QuotedField(row.Input) + "," +
+      QuotedField(OutputBelow(folder, row)) + "," + row.Status + "," +
       (row.Status == "not run" ? "" : std::to_string(static_cast<int>(row.Code)));
     for (const ReportColumn& column : ReportColumns)
     {
@@ -192,7 +210,7 @@ std::string ComposeSegmentsCsv(const std::vector<BatchRow>& rows)
 std::string WriteTables(const std::string& folder, const std::vector<BatchRow>& rows)
 {
   const std::string summary = (FilePath(folder) / "summary.csv").string();
-  WriteTextFile(summary, ComposeCsv(rows));
+  WriteTextFile(summary, ComposeCsv(folder, rows));
   WriteTextFile((FilePath(folder) / "summary.html").string(), ComposeBatchPage(folder, rows));
   const std::string segments = ComposeSegmentsCsv(rows);
   if (!segments.empty())

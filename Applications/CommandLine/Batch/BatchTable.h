@@ -34,7 +34,7 @@ struct BatchRow
 /// Takes figures and warnings from the file of a report. A report that cannot be read gives none.
 void TakeReport(BatchRow& row, const std::string& report);
 
-std::string ComposeCsv(const std::vector<BatchRow>& rows);
+std::string ComposeCsv(const std::string& folder, const std::vector<BatchRow>& rows);
 
 /// A row for each segment of each input; empty if no input has segments.
 std::string ComposeSegmentsCsv(const std::vector<BatchRow>& rows);

@@ -37,7 +37,7 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
   AddIsoValue(
     app, [&arguments](double value) { arguments.Iso = value; },
     "REFERENCE is a CT volume (.nii, .nrrd, .mha, .tif, .vti ..., a folder of DICOM files or TIFF "
-    "slices): its bone surface at this Hounsfield value.");
+    "slices), or a folder of them: the bone surface at this Hounsfield value.");
   AddLabelMap(app, arguments.Map, "--labels,--label-map",
     "A label map (.nii, .nrrd, .mha, .dcm, .tif, .vti ...): count the voxels that have another "
     "label in "
@@ -67,15 +67,15 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
 /// A volume needs a value, and a value a volume.
 void CheckReference(const CertifyArguments& arguments)
 {
-  const bool isVolume =
-    arguments.HasReference() && !AreFolders(arguments.Files) && IsVolume(arguments.Files[0]);
+  const bool areFolders = AreFolders(arguments.Files);
+  const bool isVolume = arguments.HasReference() && !areFolders && IsVolume(arguments.Files[0]);
   if (isVolume && !arguments.Iso)
   {
     throw Failure(ExitCode::Usage,
       "'" + BaseName(arguments.Files[0]) +
         "' is a volume: --iso takes its bone surface; a label map goes with --labels");
   }
-  if (arguments.Iso && !isVolume)
+  if (arguments.Iso && !isVolume && !areFolders)
   {
     throw Failure(ExitCode::Usage, "--iso has no effect; it needs a CT volume as REFERENCE");
   }
@@ -144,6 +144,10 @@ CertifiedPair RunPair(const CertifyArguments& arguments, const FilePair& pair)
   CertifyArguments one = arguments;
   one.Files = { pair.Reference, pair.Result };
   one.Quiet = true;
+  if (!IsVolume(pair.Reference))
+  {
+    one.Iso.reset();
+  }
   try
   {
     CertifyRun run(one);
@@ -162,7 +166,7 @@ CertifiedPair RunPair(const CertifyArguments& arguments, const FilePair& pair)
 ExitCode RunFolders(const CertifyArguments& arguments)
 {
   std::vector<CertifiedPair> rows;
-  for (const FilePair& pair : FindPairs(arguments.Files[0], arguments.Files[1]))
+  for (const FilePair& pair : FindPairs(arguments.Files[0], arguments.Files[1], arguments.Iso))
   {
     rows.push_back(IsInterrupted()
         ? CertifiedPair{ pair.Name, ExitCode::Interrupted, "not compared: interrupted", {} }
@@ -208,7 +212,7 @@ void AddCertifyCommand(CLI::App& program, ExitCode& code)
     "Proves how far two surfaces are from each other: bounds of the largest distance in both "
     "directions, of surfaces and of open boundaries, and where it is. With a label map it counts "
     "the voxels that have another label in RESULT. REFERENCE may be a CT volume with --iso. Of two "
-    "folders, it compares the surfaces of the same name.");
+    "folders, it compares what has the same name.");
   AddSurfaces(command, arguments->Files, "Two surfaces, or one with --labels");
   AddOptions(command, *arguments);
   command.final_callback(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CertifyFolders.h"
 
+#include "Batch/BatchPlan.h"
 #include "BoneVolume.h"
 #include "FilePath.h"
 #include "Files/FileNames.h"
@@ -40,14 +41,32 @@ std::map<std::string, std::vector<std::string>> SurfacesIn(const std::string& fo
   return found;
 }
 
-std::string NoneIn(const std::string& folder)
+/// What a batch would take from a folder, by the names of its results: surfaces, and volumes if
+/// there is a value for their surface.
+std::map<std::string, std::string> ReferencesIn(
+  const std::string& folder, const std::string& results, const std::optional<double>& iso)
 {
-  return "'" + folder + "' has no surface of this name";
-}
-
-std::string SeveralIn(const std::string& folder)
-{
-  return "'" + folder + "' has several surfaces of this name";
+  Arguments batch;
+  batch.Inputs = { folder };
+  batch.Output = results; // not searched if it is below
+  batch.Iso = iso;
+  std::map<std::string, std::string> found;
+  for (const BatchBone& bone : FindBones(batch))
+  {
+    if (bone.IsBone())
+    {
+      found[bone.Name] = bone.Input;
+    }
+  }
+  if (found.empty())
+  {
+    Reject(folder,
+      iso
+        ? "no surface or volume is in it"
+        : "no surface is in it; --iso takes the bone surface of CT volumes, and --labels compares "
+          "a single result with a label map");
+  }
+  return found;
 }
 }
 
@@ -58,29 +77,31 @@ bool AreFolders(const std::vector<std::string>& files)
       [](const std::string& file) { return std::filesystem::is_directory(FilePath(file)); });
 }
 
-std::vector<FilePair> FindPairs(const std::string& references, const std::string& results)
+std::vector<FilePair> FindPairs(
+  const std::string& references, const std::string& results, const std::optional<double>& iso)
 {
-  const auto ofReferences = SurfacesIn(references);
+  const auto ofReferences = ReferencesIn(references, results, iso);
   const auto ofResults = SurfacesIn(results);
   if (ofResults.empty())
   {
     Reject(results, "no surface is in it");
   }
+  const std::string noResult = "'" + results + "' has no surface of this name";
+  const std::string noReference =
+    "'" + references + "' has no " + (iso ? "volume or surface" : "surface") + " of this name";
   std::map<std::string, FilePair> pairs;
-  for (const auto& [name, files] : ofReferences)
+  for (const auto& [name, file] : ofReferences)
   {
-    pairs[name] = { name, files.front(), "", NoneIn(results) };
+    pairs[name] = { name, file, "", noResult };
   }
   for (const auto& [name, files] : ofResults)
   {
     FilePair& pair = pairs[name];
-    const bool hasReference = !pair.Reference.empty();
     pair.Name = name;
     pair.Result = files.front();
-    pair.Problem = !hasReference         ? NoneIn(references)
-      : ofReferences.at(name).size() > 1 ? SeveralIn(references)
-      : files.size() > 1                 ? SeveralIn(results)
-                                         : "";
+    pair.Problem = pair.Reference.empty() ? noReference
+      : files.size() > 1                  ? "'" + results + "' has several surfaces of this name"
+                                          : "";
   }
   std::vector<FilePair> list;
   list.reserve(pairs.size());

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CertifyFolders.h
- * @brief bonedecimate certify REFERENCES/ RESULTS/: pairs of surfaces of the same name.
+ * @brief bonedecimate certify REFERENCES/ RESULTS/: pairs of the same name.
  */
 #ifndef BoneDecimate_Applications_CertifyFolders_h
 #define BoneDecimate_Applications_CertifyFolders_h
 
 #include "ExitCode.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,12 @@ struct CertifiedPair
 /// Whether these are two folders of surfaces, and the first is no volume.
 bool AreFolders(const std::vector<std::string>& files);
 
-/// The surfaces of both folders and those below them, by name, whatever their formats. A name that
-/// is not in both of them once has a problem.
-/// @throws Failure(ExitCode::InputRejected) if there is no result.
-std::vector<FilePair> FindPairs(const std::string& references, const std::string& results);
+/// The surfaces of both folders and those below them, by the names that a batch gives to its
+/// results, whatever their formats. A name that is not in both of them once has a problem.
+/// @param iso The value of the surface of volumes, which are references, too; none: they are not.
+/// @throws Failure(ExitCode::InputRejected) if there is no result, or no reference.
+std::vector<FilePair> FindPairs(
+  const std::string& references, const std::string& results, const std::optional<double>& iso);
 
 /// A list of objects: name, exit code, and the certificate or the problem.
 std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs);

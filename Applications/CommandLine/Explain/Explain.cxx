@@ -4,6 +4,7 @@
 
 #include "Arguments/HelpFormatter.h"
 #include "Batch/BatchPlan.h"
+#include "Batch/EarlierResults.h"
 #include "BoneVolume.h"
 #include "Explain/ExplainBound.h"
 #include "Explain/ExplainInput.h"
@@ -149,9 +150,14 @@ void ExplainVolume(const Arguments& arguments, Explanation& explanation)
 
 void ExplainBatch(const Arguments& arguments, Explanation& explanation)
 {
-  for (const BatchBone& bone : PlanBatch(arguments))
+  const std::vector<BatchBone> bones = PlanBatch(arguments);
+  RejectOtherOptions(bones, arguments);
+  for (const BatchBone& bone : bones)
   {
-    explanation.Add(bone.IsBone() ? "run" : "skipped",
+    const bool isFinished = bone.IsBone() && !arguments.Force && HasEarlierResult(bone, arguments);
+    explanation.Add(!bone.IsBone() ? "skipped"
+        : isFinished               ? "finished"
+                                   : "run",
       "'" + bone.Input + "'" + (bone.IsBone() ? " -> '" + bone.Output + "'" : ": " + bone.WhyNot));
   }
   const Options& options = arguments.Options;

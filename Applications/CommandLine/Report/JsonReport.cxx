@@ -86,6 +86,12 @@ Json JsonOf(const std::vector<SegmentRecord>& segments, vtkPolyData* result)
   return json;
 }
 
+Json ValueAt(const Json& report, const char* pointer)
+{
+  const Json::json_pointer position(pointer);
+  return report.is_object() && report.contains(position) ? report[position] : Json();
+}
+
 /// The size of an output file; of a folder, the files of its segments together. None if one of them
 /// is missing.
 std::optional<std::uintmax_t> BytesOf(const std::string& output, const Json& report)
@@ -97,8 +103,7 @@ std::optional<std::uintmax_t> BytesOf(const std::string& output, const Json& rep
     return error ? std::nullopt : std::optional<std::uintmax_t>(bytes);
   }
   std::uintmax_t bytes = 0;
-  const Json::json_pointer list("/segments/list");
-  for (const Json& segment : report.contains(list) ? report[list] : Json::array())
+  for (const Json& segment : ValueAt(report, "/segments/list"))
   {
     const bool hasFile =
       segment.is_object() && segment.contains("file") && segment["file"].is_string();
@@ -111,6 +116,20 @@ std::optional<std::uintmax_t> BytesOf(const std::string& output, const Json& rep
     }
   }
   return bytes;
+}
+
+Json JsonIn(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return Json::parse(stream, nullptr, false);
+}
+
+bool OutputMatches(const Json& report, const std::string& outputFile)
+{
+  const Json written = ValueAt(report, "/files/output_bytes");
+  const std::optional<std::uintmax_t> bytes =
+    written.is_number() ? BytesOf(outputFile, report) : std::nullopt;
+  return bytes && written == *bytes;
 }
 }
 
@@ -232,28 +251,34 @@ void WriteJsonFile(const std::string& path, const nlohmann::ordered_json& json)
 bool ReportMatches(
   const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject)
 {
-  std::ifstream stream(reportFile, std::ios::binary);
-  const Json report = Json::parse(stream, nullptr, false);
-  const std::optional<std::uintmax_t> bytes =
-    report.is_object() ? BytesOf(outputFile, report) : std::nullopt;
-  const auto at = [&report](const char* pointer)
+  const Json report = JsonIn(reportFile);
+  return OutputMatches(report, outputFile) && ValueAt(report, "/version") == Version() &&
+    ValueAt(report, "/command_line") == CommandLineOf(subject) &&
+    ValueAt(report, "/files/input") == subject.Input &&
+    ValueAt(report, "/files/input_bytes") == subject.InputStamp.Bytes &&
+    ValueAt(report, "/files/input_modified") == subject.InputStamp.Modified;
+}
+
+std::optional<std::map<std::string, std::string>> OptionsOfReport(
+  const std::string& reportFile, const std::string& outputFile, const std::string& inputFile)
+{
+  const Json report = JsonIn(reportFile);
+  const Json given = ValueAt(report, "/command_line");
+  if (!OutputMatches(report, outputFile) || !given.is_object() ||
+    ValueAt(report, "/files/input") != BaseName(inputFile))
   {
-    const Json::json_pointer position(pointer);
-    return report.contains(position) ? report[position] : Json();
-  };
-  return bytes && at("/version") == Version() && at("/command_line") == CommandLineOf(subject) &&
-    at("/files/input") == subject.Input && at("/files/input_bytes") == subject.InputStamp.Bytes &&
-    at("/files/input_modified") == subject.InputStamp.Modified &&
-    at("/files/output_bytes") == *bytes;
+    return std::nullopt;
+  }
+  std::map<std::string, std::string> options;
+  for (const auto& [flag, text] : given.items())
+  {
+    options[flag] = text.is_string() ? text.get<std::string>() : text.dump();
+  }
+  return options;
 }
 
 bool OutputMatches(const std::string& reportFile, const std::string& outputFile)
 {
-  std::ifstream stream(reportFile, std::ios::binary);
-  const Json report = Json::parse(stream, nullptr, false);
-  const Json::json_pointer position("/files/output_bytes");
-  const bool hasSize = report.is_object() && report.contains(position);
-  const std::optional<std::uintmax_t> bytes = hasSize ? BytesOf(outputFile, report) : std::nullopt;
-  return bytes && report[position] == *bytes;
+  return OutputMatches(JsonIn(reportFile), outputFile);
 }
 }

@@ -102,10 +102,14 @@ std::string JsonText(const nlohmann::ordered_json& json);
 void WriteJsonFile(const std::string& path, const nlohmann::ordered_json& json);
 
 /**
- * Whether a report on disk is of this version, the same input and the same options (threads do not
- * matter), and the output still has the size it was written with; that of a folder are the files of
- * its segments. A report that cannot be read matches nothing.
+ * The options of an earlier run, by flag (threads are not among them), if its report is of an input
+ * of this name and its output still has the size it was written with; that of a folder are the
+ * files of its segments. Nothing if there is no such report.
  */
+std::optional<std::map<std::string, std::string>> OptionsOfReport(
+  const std::string& reportFile, const std::string& outputFile, const std::string& inputFile);
+
+/// Whether that report is of this version, the same input and the same options, too.
 bool ReportMatches(
   const std::string& reportFile, const std::string& outputFile, const ReportSubject& subject);
 

@@ -34,6 +34,7 @@ HEAD = """<!-- Generated from the table of options. -->
         <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
         <DataTypeDomain name="input_type"><DataType value="vtkPolyData"/></DataTypeDomain>
         <InputArrayDomain name="point_arrays" attribute_type="point" number_of_components="1" optional="1"/>
+        <InputArrayDomain name="arrays" attribute_type="any" number_of_components="1" optional="1"/>
         <Documentation>The surface, in mm.</Documentation>
       </InputProperty>
       <InputProperty name="Reference" command="SetInputConnection" port_index="1" null_on_empty="1">
@@ -86,8 +87,9 @@ def kind_of(row):
 
 
 def text_kind(row):
-    if row["names_point_array"]:
-        domain = ('<ArrayListDomain name="array_list" attribute_type="Scalars" input_domain_name="point_arrays" none_string="">\n'
+    if row["names_point_array"] or row["name"] == "LabelArrayName":
+        arrays = "point_arrays" if row["names_point_array"] else "arrays"
+        domain = (f'<ArrayListDomain name="array_list" attribute_type="Scalars" input_domain_name="{arrays}" none_string="">\n'
                   '          <RequiredProperties><Property name="Input" function="Input"/></RequiredProperties>\n'
                   '        </ArrayListDomain>')
         return "StringVectorProperty", row["default"], domain

@@ -17,6 +17,7 @@ const BACKGROUND = [0.965, 0.97, 0.975];
 const WHOLE = [0, 0, 1, 1];
 const LEFT = [0, 0, 0.5, 1];
 const RIGHT = [0.5, 0, 1, 1];
+const LEGEND = 84; // pixels below the surfaces, for the legend
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -137,17 +138,24 @@ export class View {
     const zoom = fitted > 0 ? this.camera.getParallelScale() / fitted : 1;
     this.fitted = this.fittingScale();
     this.camera.setParallelScale(zoom * this.fitted);
+    this.camera.setWindowCenter(0, -LEGEND / this.height());
   }
 
   /** Half of the height that a view shows of the space, mm, if it shows everything. */
   fittingScale() {
-    return Math.max(this.frame.halfHeight, this.frame.halfWidth / this.aspect());
+    const aboveLegend = Math.max(0.5, 1 - LEGEND / this.height());
+    return Math.max(this.frame.halfHeight / aboveLegend, this.frame.halfWidth / this.aspect());
+  }
+
+  /** Pixels. */
+  height() {
+    return Math.max(1, this.stage.clientHeight);
   }
 
   /** Width of a view by its height. */
   aspect() {
     const width = this.mode === 'sides' ? 0.5 : 1;
-    return (width * this.stage.clientWidth) / Math.max(1, this.stage.clientHeight);
+    return (width * this.stage.clientWidth) / this.height();
   }
 
   /** @param angle Degrees of the main light from the viewer, positive to the right. */
