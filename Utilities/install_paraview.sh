@@ -10,6 +10,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=${1:-build/paraview}
 packages=(paraview paraview-dev python3-paraview)
+icons=(libqt5svg5) # only recommended by Debian: without it the window has none
 
 if [ -x "$folder/usr/bin/pvpython" ]; then
   exit 0
@@ -21,7 +22,7 @@ fi
 
 apt-get -q update
 # What they need, without themselves.
-needed=$(apt-get -s --no-install-recommends install paraview paraview-dev | awk '$1 == "Inst" { print $2 }' |
+needed=$(apt-get -s --no-install-recommends install paraview paraview-dev "${icons[@]}" | awk '$1 == "Inst" { print $2 }' |
   grep -vxE "$(IFS='|'; echo "${packages[*]}")" || true)
 if [ -n "$needed" ]; then
   # shellcheck disable=SC2086

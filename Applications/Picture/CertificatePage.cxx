@@ -92,6 +92,7 @@ std::string Headline(const ReportFields& report)
   }
   const std::string status = report.Text("status");
   const bool isKept = status == "proved" || status == "not_requested";
+  const bool isViolated = status == "violated";
   const auto count = [&report](const char* name)
   { return GroupedText(report.Number(name).value_or(0.0)); };
   std::string tiles;
@@ -105,7 +106,13 @@ std::string Headline(const ReportFields& report)
         count("result.triangles"), "triangles; the reference has " + count("reference.triangles"));
   }
   return PageBlock("certificate headline",
-    { { "kind", isKept ? "headline" : "headline open" }, { "upper", BoundText(*upper) },
+    { { "kind", isKept ? "headline" : "headline open" },
+      { "distance",
+        isViolated ? "at least " + LowerBoundText(report.Number("lower").value_or(0.0), Decimals)
+                   : "at most " + BoundText(*upper) },
+      { "meaning",
+        isViolated ? "A point of one surface is that far from the other."
+                   : "No point of either surface is farther from the other." },
       { "status", status == "not_requested" ? "proved" : StatusText(report) },
       { "exceptions", ExceptionsText(report) }, { "tiles", tiles } });
 }
@@ -153,6 +160,12 @@ std::string DistanceSection(const ReportFields& report)
   } };
   for (const auto& [path, words] : directions)
   {
+    const bool hasNone = !report.Number(path + std::string("upper")) &&
+      report.Number(path + std::string("triangle")).value_or(-1.0) >= 0.0;
+    if (hasNone) // of which the other surface has none
+    {
+      rows.push_back({ words, "the other has none", LargestText(report, path), "", "" });
+    }
     if (report.Number(path + std::string("upper")))
     {
       rows.push_back({ words, BoundsText(report, path), LargestText(report, path),

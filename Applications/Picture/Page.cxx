@@ -258,6 +258,13 @@ std::string ModelGridSection(const PageSubject& subject)
     ? std::string()
     : PageBlock("model grid", { { "sentence", EscapedXml(subject.ModelGrid) } });
 }
+
+std::string CommandLine(const PageSubject& subject)
+{
+  return subject.Command.empty()
+    ? std::string()
+    : PageBlock("command", { { "command", EscapedXml(PlainText(subject.Command)) } });
+}
 }
 
 std::string ComposePage(const PageSubject& subject)
@@ -272,7 +279,8 @@ std::string ComposePage(const PageSubject& subject)
   const auto count = [&report](const char* entry) { return CountText(report.Number(entry)); };
   return PageBlock("page",
     { { "head", PageBlock("head", { { "title", "Simplified bone surface: " + name } }) },
-      { "name", name }, { "headline", HeadlineSection(report, distances, labels, subject.Specks) },
+      { "name", name }, { "command", CommandLine(subject) },
+      { "headline", HeadlineSection(report, distances, labels, subject.Specks) },
       { "specks", SpeckHint(subject.Specks) },
       { "where", WhereSection(points, subject.Frame, { "before", "after" }) },
       { "labels", LabelSection(labels) }, { "smoothing", Smoothing(report) },

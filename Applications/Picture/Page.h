@@ -21,7 +21,8 @@ namespace bonedecimate
 /// input of the run without what was pruned.
 struct PageSubject : PairSubject
 {
-  std::string Name; ///< What the page calls the bone (a file name, never patient data).
+  std::string Name;    ///< What the page calls the bone (a file name, never patient data).
+  std::string Command; ///< What makes the same again, without folders; empty: not known.
   /// What changed in the voxels before extraction; empty: nothing was requested.
   std::vector<std::string> Changes;
   std::string PictureFile; ///< A PNG to embed; empty: no picture, and the page says so.

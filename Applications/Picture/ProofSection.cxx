@@ -31,7 +31,11 @@ std::string ToleranceText(const ReportFields& report)
 {
   const bool hasLength = report.Number("proof.tolerance").value_or(0.0) > 0.0;
   const std::string array = EscapedXml(report.Text("options.ToleranceArrayName"));
-  const std::string length = hasLength ? report.Text("proof.tolerance") + " mm" : "";
+  constexpr std::size_t readable = 8; // characters; those of presets have up to 17
+  const std::string exact = report.Text("proof.tolerance");
+  const std::string number =
+    exact.size() > readable ? BoundText(report.Number("proof.tolerance").value_or(0.0)) : exact;
+  const std::string length = hasLength ? number + " mm" : "";
   const std::string points = array.empty() ? "" : "the tolerance of each point (" + array + ")";
   return length + (length.empty() || points.empty() ? "" : " and ") + points;
 }

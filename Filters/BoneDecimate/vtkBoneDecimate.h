@@ -16,12 +16,13 @@
  * extracted (SetLabelMapData()).
  *
  * Output port 0: the smaller surface. Point data: the distance to the input surface, the error
- * recorded along the collapses (both mm) and how many input points each point represents. Field
- * data: the report as one JSON text, BoneDecimateReport, and its main figures as arrays of their
- * own: bonedecimate.stop_reason, .input.triangles, .output.triangles, .output.components,
- * .distance.output_to_input.{max, mean}, .distance.input_to_output.{max, mean}, .proof.sentence and
- * .proof.if_unchanged.{status, upper}, as far as the report has them. A proof belongs to one
- * surface: that whose triangles have the report's output.checksum. Vertices and lines pass through.
+ * recorded along the collapses, what is proved around each point (all mm) and how many input points
+ * each point represents. Field data: the report as one JSON text, BoneDecimateReport, and its main
+ * figures as arrays of their own: bonedecimate.stop_reason, .input.triangles, .output.triangles,
+ * .output.components, .distance.output_to_input.{max, mean}, .distance.input_to_output.{max, mean},
+ * .proof.sentence and .proof.if_unchanged.{status, upper}, as far as the report has them. A proof
+ * belongs to one surface: that whose triangles have the report's output.checksum. Vertices and
+ * lines pass through.
  * Output port 1: the input, with the distance of each of its points to the result when
  * MeasureInputDistances is on.
  *

@@ -66,6 +66,30 @@ namespace
 {
 constexpr std::size_t UnusualNumberOfLabels = 1000;
 
+/// Labels that no voxel has: one that has voxels is closed, or open at the end of the image.
+std::vector<std::int64_t> LabelsWithoutTriangles(const bonedecimate::LabelSurfaces& surfaces)
+{
+  const bonedecimate::LabelMapSource& source = surfaces.Source;
+  std::vector<bool> isThere(source.Values.size(), false);
+  if (source.OfTriangle.empty() && !surfaces.Surface.Triangles.empty()) // one label
+  {
+    isThere.front() = true;
+  }
+  for (const bonedecimate::BoundaryLabels& both : source.OfTriangle)
+  {
+    isThere[both[0]] = isThere[both[1]] = true;
+  }
+  std::vector<std::int64_t> labels;
+  for (bonedecimate::Index i = 0; i < source.Background(); ++i)
+  {
+    if (!isThere[i])
+    {
+      labels.push_back(source.Values[i]);
+    }
+  }
+  return labels;
+}
+
 /// Keeps an equal part of the triangles, which are in order of the layers of the image, and the
 /// points they use.
 void KeepPiece(const bonedecimate::PieceOfOutput& piece, bonedecimate::LabelSurfaces& surfaces)
@@ -291,6 +315,13 @@ bool vtkBoneSurfaces::Extract(
   {
     vtkWarningMacro(<< "the image has " << surfaces.Source.Values.size()
                     << " different values; gray values have to be segmented first");
+  }
+  if (!this->Internal->Labels.empty())
+  {
+    for (const std::int64_t label : LabelsWithoutTriangles(surfaces))
+    {
+      vtkWarningMacro(<< "no voxel has the label " << label);
+    }
   }
   if (const bonedecimate::PieceOfOutput piece = bonedecimate::RequestedPiece(outputVector);
       piece.Pieces > 1)

@@ -272,6 +272,35 @@ class Batch(ApplicationTest):
         self.path("out/a.ply").unlink()  # nothing to lose
         self.fail_with(USAGE, "bones", "out", *UNMEASURED, "--max-error", 0.5, says="1 result of other options, the first is 'b'")
 
+    def test_the_table_keeps_results_of_other_inputs(self):
+        (self.bones / "z.obj").write_text("")
+        self.run_program("bones", "out", *UNMEASURED)
+        before = self.rows()
+        self.run_batch("bones", "out", "--only", "a*", "--force")
+        after = self.rows()
+        self.assertEqual(list(after), ["a", "b", "z"])
+        self.assertEqual((after["b"], after["z"]["status"]), (before["b"], "failed"))
+
+    def test_the_table_and_the_page_have_the_options(self):
+        self.run_batch("bones", "out", "--max-error", 0.5)
+        self.assertEqual({row["options"] for row in self.rows().values()}, {"max-error=0.5 measure=off"})
+        self.assertIn("Options: max-error=0.5", self.path("out/summary.html").read_text(encoding="utf-8"))
+        self.run_batch("bones", "out", "--target-reduction", 0.5, "--only", "a*", "--force")
+        self.assertEqual(self.rows()["a"]["options"], "measure=off target-reduction=0.5")
+        self.assertIn("The results are of different options", self.path("out/summary.html").read_text(encoding="utf-8"))
+
+    def test_a_batch_without_a_target_says_so(self):
+        self.assertIn("note: without --max-error and a target nine tenths", self.run_batch("bones", "out").stdout)
+        for words in (("--max-error", 0.5), ("--target-reduction", 0.5), ("--target-triangles", 500)):
+            self.assertNotIn("note: ", self.run_batch("bones", "out", "--force", *words).stdout)
+
+    def test_failures_come_first_on_the_page(self):
+        (self.bones / "z.obj").write_text("")
+        self.run_program("bones", "out", *UNMEASURED)
+        page = self.path("out/summary.html").read_text(encoding="utf-8")
+        self.assertLess(page.index(">z<"), page.index(">a<"))
+        self.assertIn('<a href="z.log">log</a>', page)
+
     def test_failed_bone_is_tried_again(self):
         (self.bones / "z.obj").write_text("")
         self.run_program("bones", "out", *UNMEASURED)

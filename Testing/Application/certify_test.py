@@ -230,6 +230,11 @@ class CertifyFolders(ApplicationTest):
         self.assertIn("a_obj: 0.000000 to ", completed.stdout)
         self.assertIn("3 pairs: 3 proved\n", completed.stdout)
 
+    def test_quiet_prints_what_is_not_proved(self):
+        completed = self.run_program("certify", "before", "after", "--tolerance", 0.2, "--quiet")
+        self.assertEqual((completed.returncode, completed.stdout), (VIOLATED, ""))
+        self.assertRegex(completed.stderr, r"^a: .* violated\n$")
+
     def test_ends_with_the_worst_code(self):
         self.assertEqual(self.run_program("certify", "before", "after", "--tolerance", 0.2).returncode, VIOLATED)
         self.path("after/a.stl").write_bytes(b"solid nothing\nendsolid\n")

@@ -63,8 +63,14 @@ class Commands(ApplicationTest):
         self.assertRegex(self.succeed("help", "max-error").stdout, r"^  --max-error MM\|")
         self.assertEqual(self.succeed("help", "--max-error").stdout, self.succeed("help", "max-error").stdout)
         self.assertEqual(self.succeed("help", "exit").stdout, self.succeed("help", "exit-codes").stdout)
+        for word, says in (("pruning", "--prune-size MM"), ("specks", "Cleaning"), ("planning", "--profile PROFILE"), ("error", "--max-error")):
+            self.assertIn(says, self.succeed("help", word).stdout)
         self.fail_with(USAGE, "help", "max-eror", says="did you mean max-error?")
         self.fail_with(USAGE, "help", "zzz", says="bonedecimate help lists them")
+
+    def test_options_that_another_command_has_are_told(self):
+        self.fail_with(USAGE, "a.stl", "b.stl", "--tolerance", 1, says="did you mean --max-error?")
+        self.fail_with(USAGE, "certify", "a.stl", "b.stl", "--max-error", 1, says="did you mean --tolerance?")
 
     def test_a_closed_pipe_is_quiet(self):
         for words in ("--help", "-h", "help batches", "--man", "--tables", "--completion zsh"):

@@ -2,18 +2,20 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Tables of single features: least angles, edge lengths, voxels, tunnels, levels, slabs, non-manifold edges.
+# Tables of single features: least angles, edge lengths, voxels, tunnels, levels, slabs, non-manifold edges; remeshers, volume meshers, label maps
+# and strokes of a brush, in which other programs take part.
 #
-#   Testing/Benchmark/features.sh [TABLE ...] [--bone FILE ...] [--skull FILE] [--write-docs]
+#   Testing/Benchmark/features.sh [TABLE ...] [--bone FILE ...] [--skull FILE] [--with-meshlib] [--write-docs]
 #
-# Builds as run.sh does. Files stay in FOLDER/benchmark/features. --help explains the options.
+# Builds as run.sh does, and installs the other programs into FOLDER/benchmark/venv. Files stay in FOLDER/benchmark/features. --help explains the options.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=common.sh
 . "$here/common.sh"
 
-read_arguments "$@"
-build_programs
-cmake --build "$build" --target bonedecimate bonedecimate-phantom >> "$build/benchmark-build.log" 2>&1
+prepare "$@"
+[ "$python" = python3 ] || install_peers "$here/requirements-meshers.txt"
+cmake --build "$build" >> "$build/benchmark-build.log" 2>&1
+own=$(sed -n 's/^_Python3_EXECUTABLE:INTERNAL=//p' "$build/CMakeCache.txt") # that the filters are built for
 export PYTHONPATH=$here PYTHONDONTWRITEBYTECODE=1
-exec python3 -m bonebench.features --programs "$build/bin" --work "$build/benchmark" ${arguments[@]+"${arguments[@]}"}
+exec "$python" -m bonebench.features --programs "$build/bin" --python "$own" --work "$build/benchmark" ${arguments[@]+"${arguments[@]}"}

@@ -3,12 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Times the extraction of label maps by vtkBoneSurfaces and by VTK's filters: the table of Documentation/results/measurements.md.
 
-    label_maps.py [--repeats 7] [--ct Cranium.inv3]
+    label_maps.py [--repeats 7] [--ct Cranium.inv3] [--json]
 
 Runs with every VTK that Python finds and leaves out the filters that it does not have; vtkSurfaceNets3D needs 9.3. The label maps
 are the CT of Debian's package invesalius-examples at 226 HU, the same bone in four parts, and random labels.
 """
 import argparse
+import json
 import time
 from pathlib import Path
 
@@ -16,7 +17,7 @@ import numpy as np
 from smoothingbench.cases import CRANIUM, CT_SPACING, HU, ct_values
 from smoothingbench.surfaces import image_of
 from vtkmodules import vtkFiltersCore, vtkFiltersGeneral
-from vtkmodules.vtkCommonCore import vtkSMPTools, vtkVersion
+from vtkmodules.vtkCommonCore import vtkVersion
 
 try:
     from bonedecimate import vtkBoneSurfaces
@@ -58,7 +59,6 @@ def filters(values):
 
     if vtkBoneSurfaces:
         yield "vtkBoneSurfaces", lambda: vtkBoneSurfaces(closed=False)
-        yield "vtkBoneSurfaces, 1 thread", lambda: vtkBoneSurfaces(closed=False, number_of_threads=1)
     if len(values) == 1:
         yield "vtkFlyingEdges3D", lambda: bare(vtkFiltersCore.vtkFlyingEdges3D)
     yield "vtkDiscreteFlyingEdges3D", lambda: with_values(vtkFiltersGeneral.vtkDiscreteFlyingEdges3D)
@@ -85,17 +85,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--repeats", type=int, default=7)
     parser.add_argument("--ct", type=Path, default=CRANIUM)
+    parser.add_argument("--json", action="store_true", help="in the last line, for features.sh")
     options = parser.parse_args()
     bone, parts = ct_labels(options.ct)
     noise = np.random.default_rng(1).integers(0, 4, (64, 64, 64), dtype=np.uint8)
-    print(f"VTK {vtkVersion.GetVTKVersion()}, {vtkSMPTools.GetBackend()}, {vtkSMPTools.GetEstimatedNumberOfThreads()} threads\n")
-    print("| label map | filter | time, s | processor time, s | points | cells |\n|---|---|---:|---:|---:|---:|")
+    rows = []
     for name, labels in (("CT, 1 label", bone), ("CT, 4 labels", parts), ("noise, 3 labels", noise)):
         image = padded_image(labels)
         for filter_name, make in filters(np.unique(labels)[1:].tolist()):
             seconds, processor_seconds, surface = measured(make, image, options.repeats)
-            print(f"| {name} | `{filter_name}` | {seconds:.3f} | {processor_seconds:.3f} | {surface.GetNumberOfPoints():,} "
-                  f"| {surface.GetNumberOfCells():,} |")
+            rows.append({"label map": name, "filter": f"`{filter_name}`", "VTK": vtkVersion.GetVTKVersion(), "time, s": round(seconds, 3),
+                         "CPU s": round(processor_seconds, 3), "points": surface.GetNumberOfPoints(), "cells": surface.GetNumberOfCells()})
+            print(", ".join(f"{column} {value}" for column, value in rows[-1].items()))
+    if options.json:
+        print(json.dumps(rows))
 
 
 if __name__ == "__main__":

@@ -3,16 +3,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Times the strokes of a brush by vtkBoneDecimate: the table of Documentation/results/measurements.md.
 
-    strokes.py SURFACE [--strokes 10] [--radius 12.5] [--error 0.2] [--mode Fast] [--threads 2] [--repeats 3] [--whole]
+    strokes.py SURFACE [--strokes 10] [--radius 12.5] [--error 0.2] [--mode Fast] [--threads 2] [--repeats 3] [--json]
 
-Each stroke adds a ball to what may be simplified, around a random point; balls do not overlap. The last line of strokes is the undo of the last
-one: the tolerances before it. Times are those of the update alone, medians of so many repetitions with a new filter each, wall and
-processor seconds; the load of the machine is printed, too. With --whole the same tolerances run with a filter that runs the whole
-surface, which gives the number of triangles to compare with.
+Each stroke adds a ball to what may be simplified, around a random point; balls do not overlap. After them comes the undo of the last
+one: the tolerances before it. Processor seconds are those of the update alone, medians of so many repetitions with a new filter each. The last row has
+the tolerances of the last stroke in a filter that runs the whole surface.
 """
 import argparse
-import os
-import resource
+import json
 import statistics
 import time
 from pathlib import Path
@@ -70,23 +68,25 @@ def filter_of(options):
 
 
 def update(decimate, surface, tolerances):
-    """Wall and processor seconds."""
+    """Processor seconds."""
     stroke = vtkPolyData()
     stroke.ShallowCopy(surface)
     array = numpy_to_vtk(tolerances, deep=True)
     array.SetName(TOLERANCE)
     stroke.GetPointData().AddArray(array)
     decimate.SetInputDataObject(0, stroke)
-    begin, processor_begin = time.perf_counter(), time.process_time()
+    begin = time.process_time()
     decimate.Update()
-    return time.perf_counter() - begin, time.process_time() - processor_begin
+    return time.process_time() - begin
 
 
-def figures(decimate):
+def row_of(name, seconds, decimate):
+    """Figures of an update, and of its run."""
     value = decimate.GetReportValue
-    return (f"{decimate.GetNumberOfOutputTriangles():>9,} {int(value('regions.triangles') or 0):>9,} {int(value('regions.count')):>7} "
-            f"{int(value('regions.kept')):>5} {decimate.GetProofStatusAsString():>9} {decimate.GetProvedError():>9.4f} "
-            f"{decimate.GetPreparedMemory() / 1e6:>8.1f}")
+    return {"update": name, "CPU s": round(seconds, 3), "triangles of all parts": int(value("regions.triangles") or 0),
+            "run": int(value("regions.count")) - int(value("regions.kept")), "regions": int(value("regions.count")),
+            "triangles of the result": decimate.GetNumberOfOutputTriangles(), "status": decimate.GetProofStatusAsString(),
+            "memory kept, MB": round(decimate.GetPreparedMemory() / 1e6, 1)}
 
 
 def main():
@@ -98,31 +98,28 @@ def main():
     parser.add_argument("--mode", default="Fast")
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--repeats", type=int, default=3)
-    parser.add_argument("--whole", action="store_true")
+    parser.add_argument("--json", action="store_true", help="in the last line, for features.sh")
     options = parser.parse_args()
 
     surface = read(options.surface)
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     maps = tolerances_of(points, centers_on(points, options.strokes, 2 * options.radius + 10 * options.error), options)
-    print(f"{options.surface.name}: {surface.GetNumberOfPolys():,} triangles, {options.mode}, {options.error} mm, brush of radius "
-          f"{options.radius} mm, {options.threads} threads, load {os.getloadavg()[0]:.1f}")
-    print("stroke  wall s   cpu s triangles   of run regions  kept    status upper mm  kept MB")
     times = [[] for _ in maps]
+    rows = []
     for repeat in range(options.repeats):
         decimate = filter_of(options)
         for stroke, tolerances in enumerate(maps):
             times[stroke].append(update(decimate, surface, tolerances))
             if repeat == options.repeats - 1:
-                wall, processor = (statistics.median(each) for each in zip(*times[stroke]))
-                name = "undo" if stroke == len(maps) - 1 else str(stroke + 1)
-                print(f"{name:>6} {wall:>7.3f} {processor:>7.3f} {figures(decimate)}")
-    print(f"peak memory {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e3:.0f} MB, load {os.getloadavg()[0]:.1f}")
-    if options.whole:
-        decimate = filter_of(options)
-        decimate.DiagnoseInputOn()
-        wall, processor = update(decimate, surface, maps[-2])
-        print(f"whole run of the last stroke: {wall:.1f} s wall, {processor:.1f} s processor, "
-              f"{decimate.GetNumberOfOutputTriangles():,} triangles, {decimate.GetProofStatusAsString()}")
+                name = "undo" if stroke == len(maps) - 1 else f"stroke {stroke + 1}"
+                rows.append(row_of(name, statistics.median(times[stroke]), decimate))
+    decimate = filter_of(options)
+    decimate.DiagnoseInputOn()
+    rows.append(row_of("last stroke, the whole surface", update(decimate, surface, maps[-2]), decimate))
+    for row in rows:
+        print(", ".join(f"{column} {value}" for column, value in row.items()))
+    if options.json:
+        print(json.dumps(rows))
 
 
 if __name__ == "__main__":

@@ -8,7 +8,9 @@
 
 #include "vtkBoneDecimate.h"
 #include "vtkBoneSurfaces.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkExtractVOI.h"
 #include "vtkFlyingEdges3D.h"
@@ -21,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <string>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -176,6 +179,23 @@ TEST(BoneSurfaces, ChooseLabelsBackgroundAndArray)
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 8);
   EXPECT_LT(SignedVolume(SurfaceOf(filter->GetOutput())), 0.0) << "a cavity";
+}
+
+TEST(BoneSurfaces, WarnOfAChosenLabelThatNoVoxelHas)
+{
+  vtkNew<vtkBoneSurfaces> filter;
+  filter->SetInputData(ImageOf(EllipsoidLabels({ 12, 11, 10 })));
+  filter->AddLabel(1);
+  filter->AddLabel(99);
+  std::string said;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&said);
+  observer->SetCallback([](vtkObject*, unsigned long, void* client, void* text)
+    { *static_cast<std::string*>(client) += static_cast<const char*>(text); });
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->Update();
+  EXPECT_NE(said.find("no voxel has the label 99"), std::string::npos) << said;
+  EXPECT_EQ(said.find("label 1\n"), std::string::npos);
 }
 
 TEST(BoneSurfaces, AreThoseOfTheWholeImageInAPipeline)

@@ -31,6 +31,13 @@ def filtered(surface, properties):
     return decimate
 
 
+def without_scalars(portrait):
+    """With the names of the active scalars apart from the arrays."""
+    scalars, others = 0, -1  # roles
+    arrays = [[*array[:5], others if array[5] == scalars else array[5], array[6]] for array in portrait["point data"]]
+    return {**portrait, "point data": arrays, "scalars": [array[0] for array in portrait["point data"] if array[5] == scalars]}
+
+
 class Sameness(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -45,7 +52,13 @@ class Sameness(unittest.TestCase):
                 decimate = filtered(surface, properties)
                 for port in (0, 1):
                     portrait = json.loads(json.dumps(specimens.portrait(surfaces.output(decimate, port))))
-                    self.assertEqual(portrait, REFERENCE[name][f"output {port}"])
+                    reference = REFERENCE[name][f"output {port}"]
+                    distance = str(decimate.DistanceArrayName)
+                    if port == 0 and any(array[0] == distance for array in portrait["point data"]):
+                        portrait, reference = map(without_scalars, (portrait, reference))
+                        self.assertEqual(portrait.pop("scalars"), [distance])  # by which ParaView colors
+                        reference.pop("scalars")
+                    self.assertEqual(portrait, reference)
 
     def test_what_the_filter_rejects_is_empty(self):
         for name in REJECTED:

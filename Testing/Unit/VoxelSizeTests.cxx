@@ -3,6 +3,7 @@
 // The voxel size of a surface, and the error presets.
 #include "Mesh/SurfaceAssembly.h"
 #include "Run/Input/VoxelSize.h"
+#include "Run/Report/Report.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -137,4 +138,7 @@ TEST(ErrorPreset, ReportsTheEstimatedVoxelSize)
   EXPECT_EQ(report.Voxel.From, VoxelFigures::Source::Edges);
   EXPECT_GT(report.Voxel.Error, 0.0);
   EXPECT_EQ(report.Proof.Tolerance, 0.5 * report.Voxel.Size);
+  const std::vector<std::string> warnings = InputWarnings(report);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].rfind("the surface has no grid of voxels, so their size of ", 0), 0U);
 }

@@ -19,7 +19,7 @@ import numpy as np
 import bonedecimate
 from arrays_test import POINTS, TRIANGLES
 from bonedecimate import decimate, record_levels
-from bonedecimate.options import ROWS, default_of, unsupported, words
+from bonedecimate.options import ROWS, default_of, spelled, unsupported, words
 
 HAS_VTK, HAS_PYVISTA = (find_spec(name) is not None for name in ("vtkmodules", "pyvista"))
 if HAS_VTK:
@@ -224,7 +224,7 @@ class Names(unittest.TestCase):
                 for key in adapter.keys():
                     self.assertIn(f"{key} : ", text)
                     if not (adapter.name == "mesh.bone.decimate" and key == "labels"):
-                        self.assertIn(" ".join(ROWS[key].sentence.split()), text)
+                        self.assertIn(" ".join(spelled(ROWS[key].sentence).split()), text)
                 self.assertRegex(text, r"Default: 0 mm\. Range: 0 to 1e30 mm\.")
 
     def test_are_found_by_completion_of_the_package(self):
@@ -307,6 +307,13 @@ class Sentences(unittest.TestCase):
         with self.assertWarns(UserWarning):
             result = decimate(*TETRAHEDRON, voxel_size=0.5)
         self.assertEqual(result.warnings, ["voxel_size has no effect; it needs preset"])
+
+    def test_about_a_zero_that_would_leave_the_default_target(self):
+        for zero in ("max_error", "target_triangles"):
+            with self.assertRaisesRegex(ValueError, f"{zero}=0 sets no limit, so that nine tenths of the triangles would go"):
+                decimate(*TETRAHEDRON, **{zero: 0})
+        decimate(*TETRAHEDRON, max_error=0, target_triangles=4)
+        decimate(*TETRAHEDRON, max_error=0, tolerances=np.zeros(4))
 
     def test_about_words_name_the_option_that_says_it(self):
         for key, value, says in (("max_error", "halfvoxel", "preset='HalfVoxel' says that"),

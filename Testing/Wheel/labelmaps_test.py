@@ -92,7 +92,8 @@ class Surfaces(unittest.TestCase):
             self.assertEqual(unmatched_edges(triangles), [])
             voxels = (halves() == label).sum() * np.prod(SPACING)
             self.assertAlmostEqual(volume(points - ORIGIN, triangles) / voxels, 1, delta=0.12)
-        self.assertEqual(len(found.label(5)[1]), 0)
+        with self.assertRaisesRegex(ValueError, "no triangle has the label 5; there are 0, 2, 7"):
+            found.label(5)
 
     def test_stay_closed_label_by_label_through_decimation(self):
         found = extract_surfaces(halves(), spacing=SPACING)

@@ -93,8 +93,15 @@ class SegmentsTest(unittest.TestCase):
                 make(array)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            for stated in ({"axes": "zyx"}, {"spacing": (1, 1, 2)}):
-                bonedecimate.extract_surfaces(array, **stated)
+            bonedecimate.extract_surfaces(array, axes="zyx", spacing=(1, 1, 2))
+        with self.assertWarnsRegex(UserWarning, "labels.z, y, x.; arrays of nibabel are labels.x, y, z."):
+            bonedecimate.extract_surfaces(array, spacing=(1, 1, 2))
+        with self.assertRaisesRegex(TypeError, "takes an image or array; segments.path. reads files"):
+            bonedecimate.extract_surfaces("map.nii.gz")
+
+    def test_names_of_labels_that_no_voxel_has_are_told(self):
+        with self.assertWarnsRegex(UserWarning, "names has labels that no voxel has: 9"):
+            segments(self.image, names={9: "femur"})
 
     def test_maps_without_a_label_are_named(self):
         for make in (segments, bonedecimate.extract_surfaces):

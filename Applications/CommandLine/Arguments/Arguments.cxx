@@ -342,4 +342,17 @@ void TakeFiles(Arguments& arguments)
     arguments.Given["series"] = arguments.LabelMap.Series;
   }
 }
+
+std::string OptionsText(const std::map<std::string, std::string>& given)
+{
+  std::string text;
+  for (const auto& [flag, value] : given)
+  {
+    if (flag != FindOption("NumberOfThreads")->Flag) // the results are the same
+    {
+      text.append(text.empty() ? "--" : " --").append(flag).append(" ").append(value);
+    }
+  }
+  return text;
+}
 }

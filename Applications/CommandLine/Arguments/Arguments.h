@@ -134,6 +134,9 @@ std::vector<std::string> OutputsOf(const Arguments& arguments);
 
 /// What the run does although other options may have been meant, a sentence each.
 std::vector<std::string> OptionWarnings(const Arguments& arguments);
+
+/// Options as on a command line, without those that change no result.
+std::string OptionsText(const std::map<std::string, std::string>& given);
 }
 
 #endif

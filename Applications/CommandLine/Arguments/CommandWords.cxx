@@ -48,9 +48,14 @@ std::vector<std::string> OptionNames(const CLI::App& command)
 [[noreturn]] void RejectUnknown(const CLI::App& command, const std::string& word)
 {
   const std::string name = word.substr(0, word.find('='));
+  const std::string plain = name.substr(name.find_first_not_of('-'));
+  const std::vector<std::string> known = OptionNames(command);
+  const bool isOther = plain == "tolerance" || plain == "max-error"; // the same in two commands
+  const std::string other = plain == "tolerance" ? "max-error" : "tolerance";
+  const bool hasOther = isOther && std::find(known.begin(), known.end(), other) != known.end();
   std::string meant;
   for (const std::string& similar :
-    SimilarNames(name.substr(name.find_first_not_of('-')), OptionNames(command)))
+    hasOther ? std::vector<std::string>{ other } : SimilarNames(plain, known))
   {
     meant += (meant.empty() ? "--" : " or --") + similar;
   }

@@ -221,7 +221,8 @@ void AddThreads(CLI::App& app, int& threads)
 
 void AddQuiet(CLI::App& app, bool& quiet)
 {
-  app.add_flag("--quiet", quiet, "Nothing on the standard output.");
+  app.add_flag(
+    "--quiet", quiet, "Nothing on the standard output; failures, on the standard error.");
 }
 
 void AddAllowLargeError(CLI::App& app, bool& allow)

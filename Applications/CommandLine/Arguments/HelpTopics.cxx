@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelpTopics.h"
 
+#include "Base/Text.h"
 #include "Commands/CommandLine.h"
 #include "ExitCode.h"
 #include "HelpFormatter.h"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -82,6 +84,27 @@ std::string TopicHelp(const CLI::App& program, const HelpTopic& topic)
     (text.empty() || text.back() == '\n' ? "" : "\n");
 }
 
+/// The first topic with a word in its title, an option or a profile that begins as this one does.
+const HelpTopic* TopicWith(const std::string& word)
+{
+  const std::string beginning = word.substr(0, 4);
+  const auto isLike = [&beginning](const std::string& text)
+  {
+    const std::string lower = LowerCase(text);
+    const std::size_t at = lower.find(beginning);
+    return at == 0 ||
+      (at != std::string::npos && std::isalnum(static_cast<unsigned char>(lower[at - 1])) == 0);
+  };
+  for (const HelpTopic& topic : HelpTopics())
+  {
+    if (isLike(topic.Title) || std::any_of(topic.Flags.begin(), topic.Flags.end(), isLike))
+    {
+      return &topic;
+    }
+  }
+  return nullptr;
+}
+
 /// Empty if nothing has that name, or a topic begins with it.
 std::string HelpAbout(const CLI::App& program, const std::string& word)
 {
@@ -100,7 +123,10 @@ std::string HelpAbout(const CLI::App& program, const std::string& word)
   const CLI::App* const command = FindCommand(program, word);
   const std::string text =
     command != nullptr ? command->help() : OptionEntries(DefaultApp(program), { word });
-  return text.empty() && beginsWithIt != nullptr ? TopicHelp(program, *beginsWithIt) : text;
+  const HelpTopic* const topic = beginsWithIt != nullptr     ? beginsWithIt
+    : word.size() > 4 && word.find('-') == std::string::npos ? TopicWith(LowerCase(word))
+                                                             : nullptr;
+  return text.empty() && topic != nullptr ? TopicHelp(program, *topic) : text;
 }
 
 void PrintHelp(const CLI::App& program, const std::string& word)
@@ -149,7 +175,8 @@ const std::vector<HelpTopic>& HelpTopics()
       FormatsText },
     { "batches", "Many bones", { "jobs", "force", "only", "shard", "time-limit", "memory-limit" },
       BatchText },
-    { "settings", "Settings", { "profile", "config", "threads", "explain" } },
+    { "settings", "Settings: profiles (planning, print, FEM, web), files, threads",
+      { "profile", "config", "threads", "explain" } },
     { "mode-thesis", "Mode Thesis", { "normal-tolerance", "auto-normal-tolerance" } },
     { "program", "The program",
       { "help", "version", "completion", "man", "options-markdown", "options-json",

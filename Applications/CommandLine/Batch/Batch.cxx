@@ -14,6 +14,7 @@
 #include "Files/FileNames.h"
 #include "Files/StagedFile.h"
 #include "Files/StagedFolder.h"
+#include "FolderTable.h"
 #include "NumberText.h"
 #include "Segments/SegmentChoice.h"
 #include "SharedFolder.h"
@@ -25,7 +26,9 @@
 #include <filesystem>
 #include <list>
 #include <optional>
+#include <set>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace bonedecimate
@@ -65,6 +68,12 @@ public:
     , Printed(arguments.Quiet)
   {
     RejectOtherOptions(this->Bones, arguments);
+    std::set<std::string> names;
+    for (const BatchBone& bone : this->Bones)
+    {
+      names.insert(bone.Name);
+    }
+    this->Table.emplace(arguments.Output, names);
     for (std::size_t i = 0; i < this->Bones.size(); ++i)
     {
       this->Rows[i].Name = this->Bones[i].Name;
@@ -78,7 +87,13 @@ public:
   {
     this->MakeFolder(this->Requested.Output);
     this->Shared.emplace(this->Requested.Output, OptionsText(this->Requested));
-    this->WriteCsv();
+    this->Table->Write(this->Rows);
+    this->Table->Require();
+    if (HasDefaultTarget(this->Requested))
+    {
+      this->Printed.Tell("note: without --max-error and a target nine tenths of the triangles are "
+                         "removed, and nothing is proved");
+    }
     this->Printed.Tell(BatchHeading(this->NameWidth));
     while (!this->ToDo.empty() || !this->Running.empty())
     {
@@ -90,8 +105,13 @@ public:
     }
     this->TakeOtherShards();
     this->Shared.reset();
-    this->WriteCsv();
-    this->Printed.Tell(BatchCounts(this->Rows) + "; table: " + this->Table);
+    this->Table->Write(this->Rows);
+    if (this->Table->HasProblem())
+    {
+      this->Printed.TellFailure(BatchCounts(this->Rows));
+    }
+    this->Table->Require();
+    this->Printed.Tell(BatchCounts(this->Rows) + "; table: " + this->Table->Path());
     StopIfInterrupted();
     return this->WorstCode();
   }
@@ -248,7 +268,7 @@ private:
     }
     if (this->Running.size() < before)
     {
-      this->WriteCsv();
+      this->Table->Write(this->Rows);
     }
     else if (!this->Running.empty())
     {
@@ -337,8 +357,6 @@ private:
     status == "failed" ? this->Printed.TellFailure(line) : this->Printed.Tell(line);
   }
 
-  void WriteCsv() { this->Table = WriteTables(this->Requested.Output, this->Rows); }
-
   /// The worst of this shard.
   ExitCode WorstCode() const
   {
@@ -357,7 +375,7 @@ private:
   const std::string& Self;
   std::vector<BatchBone> Bones;
   std::vector<BatchRow> Rows;
-  std::string Table;         // path of summary.csv
+  std::optional<FolderTable> Table;
   std::size_t NameWidth = 4; // of "name"
   std::list<StagedFolder> Folders;
   std::optional<SharedFolder> Shared; // while inputs are at work

@@ -71,16 +71,11 @@ std::string OptionsText(const Arguments& arguments)
   return text;
 }
 
-std::string OptionsText(const std::map<std::string, std::string>& given)
+bool HasDefaultTarget(const Arguments& arguments)
 {
-  std::string text;
-  for (const auto& [flag, value] : given)
-  {
-    if (flag != FindOption("NumberOfThreads")->Flag) // the results are the same
-    {
-      text.append(text.empty() ? "--" : " --").append(flag).append(" ").append(value);
-    }
-  }
-  return text;
+  const auto flags = { "max-error", "preset", "region", "target-reduction", "target-triangles",
+    "tolerance-array" };
+  return std::none_of(flags.begin(), flags.end(),
+    [&arguments](const char* flag) { return arguments.Given.count(flag) > 0; });
 }
 }

@@ -22,10 +22,11 @@ std::map<std::string, std::string> OptionsFor(const BatchBone& bone, const Argum
 /// The options of the runs, as on a command line, without those that change no result.
 std::string OptionsText(const Arguments& arguments);
 
-std::string OptionsText(const std::map<std::string, std::string>& given);
-
 /// The words that make this program do one of the bones.
 std::vector<std::string> WordsFor(const BatchBone& bone, const Arguments& arguments);
+
+/// Whether they leave open how far to go.
+bool HasDefaultTarget(const Arguments& arguments);
 }
 
 #endif

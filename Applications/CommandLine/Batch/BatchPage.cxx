@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 namespace fs = std::filesystem;
 
@@ -101,6 +102,22 @@ std::string Count(const BatchRow& row, const char* heading)
   return count ? GroupedText(*count) : std::string();
 }
 
+/// The options of all results, or that they differ.
+std::string OptionsOf(const std::vector<BatchRow>& rows)
+{
+  std::set<std::string> all;
+  for (const BatchRow& row : rows)
+  {
+    if (!row.Report.empty())
+    {
+      all.insert(row.Options.empty() ? "the defaults" : EscapedXml(PlainText(row.Options)));
+    }
+  }
+  return all.empty()  ? std::string()
+    : all.size() == 1 ? "Options: " + *all.begin() + "."
+                      : "The results are of different options: see the table in summary.csv.";
+}
+
 /// "done" is quiet, everything else stands out.
 std::string Status(const BatchRow& row)
 {
@@ -109,8 +126,11 @@ std::string Status(const BatchRow& row)
 }
 }
 
-std::string ComposeBatchPage(const std::string& folder, const std::vector<BatchRow>& rows)
+std::string ComposeBatchPage(const std::string& folder, const std::vector<BatchRow>& rowsByName)
 {
+  std::vector<BatchRow> rows = rowsByName;
+  std::stable_partition(rows.begin(), rows.end(),
+    [](const BatchRow& row) { return row.Status != "done" && row.Status != "skipped"; });
   std::vector<std::vector<std::string>> cells = { { "name", "status", "how far from the input",
     "mean, mm", "triangles before", "after", "files", "message" } };
   for (const BatchRow& row : rows)
@@ -121,6 +141,6 @@ std::string ComposeBatchPage(const std::string& folder, const std::vector<BatchR
   }
   return PageBlock("batch",
     { { "head", PageBlock("head", { { "title", "Simplified bone surfaces" } }) },
-      { "counts", BatchCounts(rows) }, { "table", Table(cells) } });
+      { "counts", BatchCounts(rows) }, { "options", OptionsOf(rows) }, { "table", Table(cells) } });
 }
 }

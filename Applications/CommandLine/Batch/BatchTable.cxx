@@ -153,6 +153,13 @@ void TakeReport(BatchRow& row, const std::string& report)
   }
   row.Segments = SegmentRows(json);
   row.Report = report;
+  row.Options.clear();
+  const Json given = ValueAt(json, "/command_line");
+  for (const auto& [flag, value] : given.items())
+  {
+    row.Options += (row.Options.empty() ? "" : " ") + flag + "=" +
+      (value.is_string() ? value.get<std::string>() : value.dump());
+  }
   const Json output = ValueAt(json, "/files/output");
   row.Output = output.is_string() ? output.get<std::string>() : std::string();
   for (const Json& warning : ValueAt(json, "/warnings"))
@@ -169,7 +176,7 @@ std::string ComposeCsv(const std::string& folder, const std::vector<BatchRow>& r
   {
     text += std::string(",") + column.Heading;
   }
-  text += ",message\n";
+  text += ",options,message\n";
   for (const BatchRow& row : rows)
   {
     text += QuotedField(row.Name) + "," + QuotedField(row.Input) + "," +
@@ -179,7 +186,7 @@ std::string ComposeCsv(const std::string& folder, const std::vector<BatchRow>& r
     {
       text += "," + FieldOf(FigureOf(row, column.Heading));
     }
-    text += "," + QuotedField(row.Message) + "\n";
+    text += "," + QuotedField(row.Options) + "," + QuotedField(row.Message) + "\n";
   }
   return text;
 }

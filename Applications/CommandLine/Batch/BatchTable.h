@@ -27,8 +27,9 @@ struct BatchRow
   nlohmann::json Figures; ///< Figures of its report, by column of summary.csv; null: none.
   /// Figures of each segment of a label map, by column of segments.csv.
   std::vector<nlohmann::json> Segments;
-  std::string Report; ///< Path; empty: none.
-  std::string Output; ///< The surface beside the report; empty: there are several.
+  std::string Report;  ///< Path; empty: none.
+  std::string Output;  ///< The surface beside the report; empty: there are several.
+  std::string Options; ///< Those of its run: "iso=226 max-error=0.5".
 };
 
 /// Takes figures and warnings from the file of a report. A report that cannot be read gives none.

@@ -47,7 +47,7 @@ void RejectOtherOptions(const std::vector<BatchBone>& bones, const Arguments& ar
     throw Failure(ExitCode::Usage,
       "'" + arguments.Output + "' has " + std::to_string(count) +
         (count == 1 ? " result" : " results") + " of other options, the first is " + first +
-        ": --force replaces them, another folder keeps them");
+        ": another folder keeps them, --force does all inputs again");
   }
 }
 }

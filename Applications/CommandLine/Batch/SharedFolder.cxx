@@ -55,6 +55,11 @@ SharedFolder::SharedFolder(const std::string& output, const std::string& options
   const Path beginning =
     this->Own.string() + ".new"; // others see it with its options or not at all
   fs::create_directories(beginning, error);
+  if (error)
+  {
+    throw Failure(
+      ExitCode::CouldNotWrite, "could not write into '" + output + "': " + error.message());
+  }
   std::ofstream(beginning / OptionsFile, std::ios::binary) << options;
   fs::rename(beginning, this->Own, error);
   Touch(this->Own);

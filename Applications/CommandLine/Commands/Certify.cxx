@@ -73,7 +73,8 @@ void CheckReference(const CertifyArguments& arguments)
   {
     throw Failure(ExitCode::Usage,
       "'" + BaseName(arguments.Files[0]) +
-        "' is a volume: --iso takes its bone surface; a label map goes with --labels");
+        "' is a volume: --iso takes its bone surface; a label map goes with --labels, and for the "
+        "distance to its surface it is extracted first: --segments all --target-reduction 0");
   }
   if (arguments.Iso && !isVolume && !areFolders)
   {
@@ -171,10 +172,11 @@ ExitCode RunFolders(const CertifyArguments& arguments)
     rows.push_back(IsInterrupted()
         ? CertifiedPair{ pair.Name, ExitCode::Interrupted, "not compared: interrupted", {} }
         : RunPair(arguments, pair));
-    if (!arguments.Quiet)
+    if (!arguments.Quiet || rows.back().Code != ExitCode::Done)
     {
-      std::cout << PlainText(rows.back().Name) << ": " << PlainText(rows.back().Text) << "\n"
-                << std::flush;
+      (arguments.Quiet ? std::cerr : std::cout)
+        << PlainText(rows.back().Name) << ": " << PlainText(rows.back().Text) << "\n"
+        << std::flush;
     }
   }
   if (!arguments.Json.empty())

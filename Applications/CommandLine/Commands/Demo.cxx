@@ -49,6 +49,7 @@ void Run(const std::string& folder)
   arguments.Report = folder + "/report.json";
   arguments.Page = folder + "/report.html";
   arguments.Iso = std::stod(ThresholdOfBone);
+  arguments.Given["iso"] = ThresholdOfBone;
   GiveOption(arguments, *FindOption("MaximumError"), LargestError);
   arguments.Quiet = true;
   std::cout << "bonedecimate " << PlainText(arguments.Inputs[0]) << " "
@@ -59,7 +60,9 @@ void Run(const std::string& folder)
   TakeFiles(arguments);
   CheckArguments(arguments);
   PrintShortSummary(RunOne(arguments));
-  std::cout << "Open " << PlainText(arguments.Page) << " in a browser.\n";
+  std::cout << "A label map of the same bones for trying --segments: "
+            << PlainText(folder + "/labels.mha") << "\n"
+            << "Open " << PlainText(arguments.Page) << " in a browser.\n";
 }
 }
 

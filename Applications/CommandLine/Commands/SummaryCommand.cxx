@@ -5,26 +5,17 @@
 #include "Arguments/CommonOptions.h"
 #include "Arguments/HelpFormatter.h"
 #include "Batch/BatchTable.h"
-#include "Batch/FailureLog.h"
+#include "Batch/FolderRows.h"
 #include "CommandLine.h"
 #include "ExitCode.h"
-#include "FilePath.h"
-#include "FolderEntries.h"
-#include "Report/JsonReport.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
-
-namespace fs = std::filesystem;
 
 namespace bonedecimate
 {
@@ -36,102 +27,9 @@ struct SummaryArguments
   bool Quiet = false;
 };
 
-/// The input of a report of this program; empty: the file is none.
-std::string InputOfReport(const fs::path& file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-  const nlohmann::json::json_pointer input("/files/input");
-  const bool isReport = json.is_object() && json.contains(input) && json[input].is_string() &&
-    json.contains(nlohmann::json::json_pointer("/output/triangles"));
-  return isReport ? json[input].get<std::string>() : std::string();
-}
-
-/// The name that a batch gives to the outputs: report.json lies in a folder of that name.
-std::string NameOfReport(const fs::path& file, const fs::path& root)
-{
-  const fs::path below = file.lexically_relative(root);
-  const bool isOfFolder = below.filename() == "report.json" && below.has_parent_path();
-  return (isOfFolder ? below.parent_path() : fs::path(below).replace_extension()).generic_string();
-}
-
-/// What a failed input left, unless a report of that name is there.
-std::optional<BatchRow> FailedRow(const fs::path& log, const fs::path& root)
-{
-  const fs::path base = fs::path(log).replace_extension();
-  std::error_code ignored;
-  const bool isDone =
-    fs::exists(fs::path(base) += ".json", ignored) || fs::exists(base / "report.json", ignored);
-  std::optional<BatchRow> row = isDone ? std::nullopt : ReadFailureLog(log.string());
-  if (row)
-  {
-    row->Name = base.lexically_relative(root).generic_string();
-  }
-  return row;
-}
-
-/// Says so in the row if the surfaces of a report are no longer what they were.
-void CheckSurfaces(const fs::path& report, BatchRow& row)
-{
-  const bool isOfFolder = report.filename() == "report.json" &&
-    FilePath(row.Output).filename() == report.parent_path().filename();
-  const fs::path output =
-    isOfFolder ? report.parent_path() : report.parent_path() / FilePath(row.Output).filename();
-  if (!OutputMatches(report.string(), output.string()))
-  {
-    std::error_code ignored;
-    const std::string what =
-      isOfFolder ? "surfaces" : "surface '" + output.filename().string() + "'";
-    row.Status = "failed";
-    row.Code = ExitCode::InputRejected;
-    row.Message = "the " + what +
-      (isOfFolder || fs::exists(output, ignored) ? " changed after the report" : " is missing");
-    row.Figures = nullptr;
-  }
-}
-
-void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>& rows)
-{
-  std::error_code error;
-  for (const fs::path& path : FolderEntries(folder, error))
-  {
-    std::error_code ignored;
-    const bool isHidden = path.filename().string()[0] == '.';
-    if (!isHidden && fs::is_directory(path, ignored) && !fs::is_symlink(path, ignored))
-    {
-      AddRows(path, root, rows);
-    }
-    if (std::optional<BatchRow> failed =
-          !isHidden && path.extension() == ".log" ? FailedRow(path, root) : std::nullopt)
-    {
-      rows.push_back(std::move(*failed));
-    }
-    const std::string input =
-      !isHidden && path.extension() == ".json" ? InputOfReport(path) : std::string();
-    if (!input.empty())
-    {
-      BatchRow row;
-      row.Name = NameOfReport(path, root);
-      row.Input = (fs::path(row.Name).parent_path() / FilePath(input)).generic_string();
-      row.Status = "done";
-      row.Code = ExitCode::Done;
-      TakeReport(row, path.string());
-      CheckSurfaces(path, row);
-      rows.push_back(std::move(row));
-    }
-  }
-  if (error)
-  {
-    throw Failure(
-      ExitCode::InputRejected, "'" + folder.string() + "' could not be read: " + error.message());
-  }
-}
-
 ExitCode Run(const SummaryArguments& arguments)
 {
-  const fs::path root = FilePath(arguments.Folder);
-  std::vector<BatchRow> rows;
-  AddRows(root, root, rows);
+  const std::vector<BatchRow> rows = RowsOfFolder(arguments.Folder);
   if (rows.empty())
   {
     throw Failure(ExitCode::InputRejected, "no report is in '" + arguments.Folder + "'");

@@ -144,8 +144,11 @@ void ExplainVoxels(const Arguments& arguments, const Options& options, Explanati
   else if (hasMap && options.KeepVoxels == KeepVoxels::Automatic)
   {
     explanation.Add("voxels",
-      "none may change its label if there is no largest error or one of at most half a voxel: "
-      "--keep-voxels Auto");
+      options.ErrorPreset == ErrorPreset::OneVoxel
+        ? "may change their labels: the largest error is above half a voxel (--keep-voxels On "
+          "keeps them)"
+        : "none may change its label if there is no largest error or one of at most half a voxel: "
+          "--keep-voxels Auto");
   }
 }
 

@@ -226,6 +226,8 @@ public:
     {
       PageSubject page = PageOfRun(this->Filter);
       page.Name = this->Subject.Input;
+      page.Command = "bonedecimate " + this->Subject.Input + " " + this->Subject.Output + " " +
+        OptionsText(this->Subject.Given);
       page.Result = this->Result;
       page.Changes = ChangesTexts(this->Subject.Changed, !this->Subject.Segments.empty());
       page.Frame = this->Subject.CoordinateSystem;

@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVBoneDecimate.h"
 
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <string>
 
 vtkStandardNewMacro(vtkPVBoneDecimate);
 
@@ -14,6 +19,20 @@ void vtkPVBoneDecimate::SetTargetReductionUnlessDefault(double fraction)
   {
     this->SetTargetReduction(fraction);
   }
+}
+
+//------------------------------------------------------------------------------
+int vtkPVBoneDecimate::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int isDone = this->Superclass::RequestData(request, inputVector, outputVector);
+  vtkPolyData* const result = vtkPolyData::GetData(outputVector, 0);
+  const std::string distance = this->GetDistanceArrayName();
+  if (isDone != 0 && result != nullptr && result->GetPointData()->HasArray(distance.c_str()) != 0)
+  {
+    result->GetPointData()->SetActiveScalars(distance.c_str());
+  }
+  return isDone;
 }
 
 //------------------------------------------------------------------------------

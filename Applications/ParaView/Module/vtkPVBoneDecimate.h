@@ -28,6 +28,10 @@ public:
   void SetTargetReductionUnlessDefault(double fraction);
 
 protected:
+  /// Makes the distance the active scalars of the result: ParaView colors by them at once.
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
   vtkPVBoneDecimate() = default;
   ~vtkPVBoneDecimate() override = default;
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables of single features: runs of the program on one thread, a CSV file a table.
+"""Tables of single features: a CSV file a table. Runs of the program are on one thread.
 
     python3 -m bonebench.features --programs FOLDER --work FOLDER [--write-docs] [--bone FILE ...] [--skull FILE] [TABLE ...]
 
@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, Iterator, Sequence
 
-from . import machine, pages
+from . import machine, pages, peer_features
 from .bones import CROPS, HU, Bone, Workshop, count_triangles
 from .contest import Verifier
 from .document import DATA, RESULTS
@@ -61,6 +61,12 @@ class Lab:
     folder: Path
     names: Sequence[str]  # of bones, or files
     skull: Path | None  # a surface with non-manifold edges
+    python: str  # with the VTK of the filters
+    with_meshlib: bool
+
+    def use_filters(self) -> None:
+        """Lets programs of Python find the filters."""
+        os.environ["PYTHONPATH"] = str(self.programs.folder.parent / "lib" / "python3" / "dist-packages")
 
     def bone(self, name: str) -> Bone:
         """A bone of the CT, which has to be there."""
@@ -197,9 +203,20 @@ def non_manifold(lab: Lab) -> Iterator[Row]:
                "boundary edges": shape["boundary_edges"], "components": shape["components"], **lab.distances(bone.file)}
 
 
+def tolerance(lab: Lab) -> Iterator[Row]:
+    """The runs that look for the smallest error of a number of triangles."""
+    said = lab.folder / "tolerance.json"
+    for mode in ("Fast", "Balanced"):
+        lab.run(lab.bone("frontal").file, "--mode", mode, "--triangles", 4000, "--precision", 0.05, "--json", said, command="tolerance")
+        for run in json.loads(said.read_text(encoding="utf-8"))["runs"]:
+            yield {"mode": f"`{mode}`", "largest error, mm": run["max_error_mm"] or "by number alone", "triangles": run["triangles"],
+                   "proved, mm": run["proved_mm"], "4,000 reached": "yes" if run["reached"] else "no"}
+
+
 TABLES: dict[str, Callable[[Lab], Iterator[Row]]] = {
     "angles": angles, "angles-by-count": angles_by_count, "lengths": lengths, "voxels": voxels, "tunnels": tunnels, "levels": levels, "slabs": slabs,
-    "non-manifold": non_manifold}
+    "non-manifold": non_manifold, "tolerance": tolerance, "remeshers": peer_features.remeshers, "meshers": peer_features.meshers, "label-maps": peer_features.label_maps,
+    "strokes": peer_features.strokes}
 
 
 def file_of(table: str) -> str:
@@ -220,6 +237,8 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--skull", type=Path, metavar="FILE", help="a surface with non-manifold edges, for the table non-manifold")
     parser.add_argument("--samples", type=int, default=200000, help="samples in each direction (200000)")
     parser.add_argument("--write-docs", action="store_true", help="write the tables into Documentation/results")
+    parser.add_argument("--with-meshlib", action="store_true", help="MeshLib takes part, too; its license is non-commercial")
+    parser.add_argument("--python", default=sys.executable, help=argparse.SUPPRESS)
     parser.add_argument("--programs", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--work", type=Path, required=True, help=argparse.SUPPRESS)
     options = parser.parse_args()
@@ -235,7 +254,7 @@ def main() -> int:
     programs, work = Programs(options.programs.resolve()), options.work.resolve()
     folder = work / "features"
     folder.mkdir(parents=True, exist_ok=True)
-    lab = Lab(programs, Workshop(programs, work), Verifier(programs, options.samples), folder, options.bone or BONES, options.skull)
+    lab = Lab(programs, Workshop(programs, work), Verifier(programs, options.samples), folder, options.bone or BONES, options.skull, options.python, options.with_meshlib)
     commit = machine.commit()
     for table in options.tables or TABLES:
         rows = list(TABLES[table](lab))

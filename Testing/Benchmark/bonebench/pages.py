@@ -16,7 +16,7 @@ from .document import DATA, IMAGES, RESULTS, ROOT
 from .records import Records, read_file
 
 README, EVIDENCE = ROOT / "README.md", ROOT / "Documentation" / "paper" / "evidence.md"
-FEATURES = (RESULTS / "measurements.md", RESULTS / "triangle-shapes.md")
+FEATURES = tuple(RESULTS / f"{name}.md" for name in ("measurements", "tolerances-and-counts", "triangle-shapes"))
 
 
 def with_parts(page: Path, parts: dict[str, str]) -> str:

@@ -21,7 +21,7 @@ try:
 except ImportError:  # as a program, outside of the package
     Outcome = dict
 
-LONGEST = 300.0  # s, of a mesher
+LONGEST = 300  # s of processor time, of a mesher
 
 
 def mesh_by_tetgen(surface: str) -> Any:
@@ -72,9 +72,9 @@ def are_here() -> list[str]:
     return [name for name, package in PACKAGES.items() if importlib.util.find_spec(package) is not None]
 
 
-def mesh(name: str, surface: Path, *more: object, seconds: float = LONGEST) -> Outcome:
+def mesh(name: str, surface: Path, *more: object, cpu_seconds: int = LONGEST) -> Outcome:
     """Runs a mesher in a process of its own: cells, seconds, angle (smallest dihedral, degrees), or {"failure": why}."""
-    outcome = call([sys.executable, "-B", __file__, name, surface, *more], seconds)
+    outcome = call([sys.executable, "-B", __file__, name, surface, *more], cpu_seconds=cpu_seconds)
     if "failure" not in outcome and not outcome["cells"]:
         return {"failure": "no tetrahedra"}
     return outcome

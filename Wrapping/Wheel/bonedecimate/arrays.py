@@ -82,7 +82,7 @@ def decimate(
 
     The bytes of the result are those of the C++ filter, for any number of threads. Other Python threads run meanwhile.
     """
-    values = read(options, decimate, profile)
+    values = read(options, decimate, profile, tolerances is not None)
     return run_on_arrays(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress,
                          prepared, edge_lengths)
 

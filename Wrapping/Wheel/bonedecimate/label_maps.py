@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import numbers
+import os
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Literal
 
@@ -49,8 +50,8 @@ class LabelSurfaces:
         return pairs, rows.reshape(-1)
 
     def label(self, value: int) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Points and triangles of the closed surface of one label, as `extract_label` gives them."""
-        return extract_label(self.points, self.triangles, self.boundary_labels, value)
+        """Points and triangles of the closed surface of one label, as `extract_label` gives them. Raises ValueError if there is none."""
+        return extract_label(self.points, self.triangles, self.boundary_labels, known_label(self.boundary_labels, value))
 
     def __iter__(self) -> Iterator[NDArray]:
         return iter((self.points, self.triangles))
@@ -104,7 +105,7 @@ def extract_surfaces(
     Aborted
         The progress function returned False.
     """
-    if not has_grid(label_map):
+    if not has_grid(no_path(label_map)):
         label_map = LabelMap(label_map, axes=axes, spacing=spacing, origin=origin, direction=direction, affine=affine, layers=layers)
     elif axes is not None or affine is not None or layers is not None or not is_default(spacing, origin, direction):
         raise ValueError("a LabelMap and an image have their own axes, spacing, origin, direction and layers")
@@ -141,6 +142,21 @@ def extract_label(
     if len(corners) and not (0 <= corners.min() and corners.max() < len(positions)):
         raise ValueError("a triangle has an index of a point that is not there")
     return _core.extract_label(positions, corners, pairs, label_value("label", label))[:2]
+
+
+def no_path(label_map: LabelMapLike) -> LabelMapLike:
+    """The same. Raises TypeError for a path, which only segments reads."""
+    if isinstance(label_map, (str, os.PathLike)):
+        raise TypeError("extract_surfaces takes an image or array; segments(path) reads files")
+    return label_map
+
+
+def known_label(pairs: NDArray[np.int64], label: int) -> int:
+    """The label, if a triangle has it. Raises ValueError otherwise."""
+    value = label_value("label", label)
+    if not (pairs == value).any():
+        raise ValueError(f"no triangle has the label {value}; there are {', '.join(map(str, np.unique(pairs)))}")
+    return value
 
 
 def present_labels(label_map: LabelMap, chosen: list[int], background: int) -> list[int]:

@@ -85,6 +85,9 @@ class Levels:
         """For `open_levels`, and the file of ``bonedecimate levels --record`` (Documentation/how-to/levels.md)."""
         return self._core.log()
 
+    def __reduce__(self) -> str:
+        raise TypeError("levels cannot be pickled: keep levels.log, which open_levels reads")
+
     def __repr__(self) -> str:
         return f"<bonedecimate.Levels: {self._core.collapses} collapses, {len(self.marks)} marks>"
 

@@ -20,6 +20,7 @@ from . import _core
 # Keywords of other packages, and ours.
 OTHER_NAMES = {"n_triangles": "target_triangles", "target_count": "target_triangles", "n_faces": "target_triangles",
                "target_number_of_triangles": "target_triangles", "reduction": "target_reduction", "tolerance": "max_error"}
+_TARGETS = ("max_error", "preset", "target_triangles", "tolerance_array")
 # Of every option by keyword: its row.
 ROWS: dict[str, _core.OptionInfo] = {}
 
@@ -42,7 +43,7 @@ _NAMES = re.compile(r"(?<![\w'\"])(" + "|".join(_OF_NAME) + r")(?![\w'\"])")
 
 def spelled(sentence: str) -> str:
     """A sentence of the core, which has the names of properties (MaximumError), with what its reader types (max_error)."""
-    return _NAMES.sub(lambda found: keyword(_OF_NAME[found[0]]), sentence)
+    return _NAMES.sub(lambda found: keyword(_OF_NAME[found[0]]), sentence).replace("vtkBoneSurfaces", "extract_surfaces")
 
 
 def spell_sentences(outcome: dict) -> None:
@@ -83,7 +84,7 @@ def options_but(without: Iterable[str]) -> dict[str, _core.OptionInfo]:
 
 def with_options(docstring: str, rows: Mapping[str, _core.OptionInfo]) -> str:
     """The docstring with an entry for each option in place of "**options"."""
-    entries = [f"{key} : {type_of(row)}\n" + textwrap.indent(textwrap.fill(describe(row), 100), "    ")
+    entries = [f"{key} : {type_of(row)}\n" + textwrap.indent(textwrap.fill(spelled(describe(row)), 100), "    ")
                for key, row in rows.items()]
     return inspect.cleandoc(docstring).replace("**options", "\n".join(entries))
 
@@ -135,10 +136,11 @@ def profile_options(name: str | None, keywords: Iterable[str]) -> dict[str, str]
     return {flag.replace("-", "_"): value for flag, value, _ in profiles[name.lower()].options if flag not in set_before}
 
 
-def read(keywords: Mapping[str, object], function: Callable, profile: str | None = None) -> _core.Options:
+def read(keywords: Mapping[str, object], function: Callable, profile: str | None = None, has_tolerances: bool = False) -> _core.Options:
     """Options with those values, as the function takes them; what a profile sets and the function does not take has no meaning there.
 
-    Raises TypeError for a keyword that is none and for a value of a wrong type, ValueError for a value out of range.
+    Raises TypeError for a keyword that is none and for a value of a wrong type, ValueError for a value out of range, and for a zero
+    that would leave the default target, which is not what a loop over errors wants.
     """
     options = _core.Options()
     known = inspect.signature(function).parameters
@@ -149,6 +151,10 @@ def read(keywords: Mapping[str, object], function: Callable, profile: str | None
         if key not in known:
             raise TypeError(_unknown(key, [name for name in known if name != "self"], function._without))
         assign(options, key, value)
+    zeros = [key for key in ("max_error", "target_triangles") if key in keywords and not keywords[key]]
+    has_target = has_tolerances or profile or "target_reduction" in keywords or any(keywords.get(key) for key in _TARGETS)
+    if zeros and not has_target:
+        raise ValueError(f"{zeros[0]}=0 sets no limit, so that nine tenths of the triangles would go; target_reduction=0 removes none")
     return options
 
 

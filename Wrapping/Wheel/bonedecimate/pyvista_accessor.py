@@ -51,6 +51,9 @@ class MeshLevels:
     def __init__(self, levels: Levels) -> None:
         self.levels = levels
 
+    def __repr__(self) -> str:
+        return repr(self.levels)
+
     @property
     def marks(self) -> np.ndarray:
         """(k, 3), from fine to coarse: triangles, largest and mean distance, mm."""
@@ -139,7 +142,7 @@ class BoneAccessor:
         require_keywords(misplaced)
         if isinstance(labels, str):
             options, labels = {**options, "labels": labels}, None
-        values = read(options, BoneAccessor.decimate, profile)
+        values = read(options, BoneAccessor.decimate, profile, tolerances is not None)
         mesh, voxels = _with_label_map(self._with_arrays(values, tolerances, labels, edge_lengths), label_map, boundary_labels)
         has_input = switch("with_input", with_input)
         if values.get("MeasureInputDistances") and not has_input:

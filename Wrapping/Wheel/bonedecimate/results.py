@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, files
-from .label_maps import extract_label
+from .label_maps import extract_label, known_label
 from .report import Report
 from .voxel_check import VoxelChanges
 from .voxels import SurfaceSource, VoxelGrid
@@ -29,7 +29,7 @@ class Result:
     Unpacks into its points and triangles: ``points, triangles = decimate(...)``.
     """
 
-    points: NDArray  #: (n, 3), float32 or float64 as `precision` says
+    points: NDArray  #: (n, 3), read-only, float32 or float64 as `precision` says
     triangles: NDArray[np.int32]  #: (m, 3), counter-clockwise seen from outside
     distance: NDArray[np.float64]  #: (n,), of each point to the input surface; empty without `measure`
     running_error: NDArray[np.float64]  #: (n,), mm, the largest distance recorded along the collapses into it
@@ -60,6 +60,8 @@ class Result:
             setattr(self, name, outcome[name])
         self.labels = np.empty(0, np.int64)
         self.points = outcome["points"].astype(np.float32) if single else outcome["points"]
+        for array in (self.points, self.triangles):
+            array.flags.writeable = False  # what is proved of them stays true
         self.stop_reason = outcome["stop"]
         self.report = _named(outcome["entries"])
         self.units = self.report.units
@@ -70,8 +72,9 @@ class Result:
         self.boundary_labels = source.values_of(outcome["boundary_labels"]) if source else np.empty((0, 2), np.int64)
 
     def label(self, value: int) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Points and triangles of the closed surface of one label, as `extract_label` gives them. Needs boundary labels."""
-        return extract_label(self.points, self.triangles, self.boundary_labels, value)
+        """Points and triangles of the closed surface of one label, as `extract_label` gives them. Needs boundary labels.
+        Raises ValueError if there is none."""
+        return extract_label(self.points, self.triangles, self.boundary_labels, known_label(self.boundary_labels, value))
 
     def to_pyvista(self) -> pyvista.PolyData:
         """A mesh with the arrays of the result and its report, as `mesh.bone.decimate` returns it. `pyvista.wrap` takes no other

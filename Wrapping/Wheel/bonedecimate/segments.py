@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .arrays import Result, decimate
-from .label_maps import extract_surfaces
+from .label_maps import extract_label, extract_surfaces
 from .voxels import LabelMap, LabelMapLike, has_grid, label_map_from
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ class Segments(Mapping[str, Segment]):
         for label in labels:
             name = names.get(label, f"label_{label}")
             name = f"{name}_{label}" if name in self._segments else name
-            points, triangles = result.label(label)
+            points, triangles = extract_label(result.points, result.triangles, result.boundary_labels, label)
             if len(triangles):
                 self._segments[name] = Segment(name, label, points, triangles)
             else:
@@ -113,6 +113,9 @@ def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[in
     present = [int(label) for label in np.unique(label_map.labels) if label != 0]
     if not present:
         raise ValueError("the label map has no label: every voxel is background")
+    unknown = sorted({*(names or {})} - {*present, *found})
+    if unknown:
+        warnings.warn(f"names has labels that no voxel has: {', '.join(map(str, unknown))}", stacklevel=2)
     names = {**found, **(names or {})}
     chosen = present if choose is None else _chosen(choose, names, present)
     surfaces = extract_surfaces(label_map, labels=chosen, model_grid="off")

@@ -119,8 +119,8 @@ class LabelMap:
             them, are rounded with a warning. Not copied if that is not necessary.
         axes : "zyx" or "xyz", optional
             The order of the indices: ``labels[z, y, x]`` as of ``SimpleITK.GetArrayFromImage``, or ``labels[x, y, z]`` as of
-            nibabel's ``image.dataobj``. All other parameters are in the order x, y, z in both cases. Default: "zyx", with a warning
-            if the array alone is given; with affine "xyz", and a warning, because the matrix does not say it.
+            nibabel's ``image.dataobj``. All other parameters are in the order x, y, z in both cases. Default: "zyx", with affine
+            "xyz", and a warning, because nothing else says it.
         spacing : three numbers, mm
             Of the voxels along x, y, z: ``GetSpacing()`` of SimpleITK.
         origin, direction : three numbers, mm; (3, 3) array, or nine numbers row by row
@@ -139,9 +139,10 @@ class LabelMap:
         ValueError
             Shapes, labels with a fraction, spacings that are not positive, axes in one plane, layers that do not ascend from 0.
         """
-        if axes is None and affine is None and layers is None and is_default(spacing, origin, direction):
-            warnings.warn("the array is taken as labels[z, y, x] with voxels of 1 mm; arrays of nibabel are labels[x, y, z], and in the wrong "
-                          "order bones are mirrored: pass the image itself, or axes and spacing", stacklevel=3)
+        if axes is None and affine is None:
+            size = " with voxels of 1 mm" if layers is None and is_default(spacing, origin, direction) else ""
+            warnings.warn(f"the array is taken as labels[z, y, x]{size}; arrays of nibabel are labels[x, y, z], and in the wrong order bones "
+                          "are mirrored: pass the image itself, or axes", stacklevel=3)
         self.labels = volume_from(labels, _axes_of(axes, affine))
         self.grid = VoxelGrid(self.labels.shape[::-1], spacing=spacing, origin=origin, direction=direction, affine=affine,
                               layers=layers)

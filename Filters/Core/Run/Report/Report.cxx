@@ -317,6 +317,12 @@ std::vector<std::string> InputWarnings(const Report& report)
   std::vector<std::string> warnings = IdleWarnings(report);
   const std::vector<std::string> ofSize = SizeWarnings(report.Size);
   warnings.insert(warnings.end(), ofSize.begin(), ofSize.end());
+  if (report.Voxel.From == VoxelFigures::Source::Edges)
+  {
+    warnings.push_back("the surface has no grid of voxels, so their size of " +
+      SentenceNumber(std::round(1000.0 * report.Voxel.Size) / 1000.0) +
+      " mm is estimated from its edges; for a simplified surface that is too large: set VoxelSize");
+  }
   const std::vector<std::string> ofTunnels = TunnelWarnings(report.Tunnels);
   warnings.insert(warnings.end(), ofTunnels.begin(), ofTunnels.end());
   const std::vector<std::string> ofSmoothing = SmoothingWarnings(report);
