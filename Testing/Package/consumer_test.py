@@ -18,7 +18,7 @@ BONES = "find_package(vtkBoneDecimate REQUIRED)"
 ORDERS = {"before": (VTK, BONES), "after": (BONES, VTK), "twice": (BONES, VTK, BONES)}
 # VTK's commonest idiom.
 PROJECT = """cmake_minimum_required(VERSION 3.20)
-project(consumer LANGUAGES C CXX)
+project(consumer LANGUAGES CXX)
 add_executable(bones ../bones.cxx)
 {0}
 target_link_libraries(bones PRIVATE ${{VTK_LIBRARIES}} BoneDecimate::FiltersBoneDecimate)
