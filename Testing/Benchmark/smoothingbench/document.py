@@ -129,7 +129,7 @@ def write_conditions(work: Path, section: str, rounds: int, samples: int, note: 
             pass
     run = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {"sections": {}}
     run |= {"machine": machine.describe(), "versions": run.get("versions", {}) | versions}
-    run["sections"][section] = {"rounds": rounds, "samples": samples, "note": note}
+    run["sections"][section] = {"rounds": rounds, "samples": samples, "note": note, "commit": machine.commit()}
     path.write_text(json.dumps(run, indent=2) + "\n", encoding="utf-8")
 
 
@@ -139,7 +139,8 @@ def conditions(run: dict) -> str:
     lines = [f"* Machine: {described['processor']}, {described['cores']} cores, {described['memory_gb']:.0f} GB; {described['system']}.",
              f"* Rounds: {', '.join(map(str, sorted(rounds)))}. Samples per direction: {max(samples):,}.",
              "* Versions: " + ", ".join(f"{name} {version}" for name, version in run["versions"].items())
-             + ". `vtkBoneSurfaces` and `vtkBoneDecimate` are built with Debian's VTK 9.1."]
+             + ". `vtkBoneSurfaces` and `vtkBoneDecimate` are built with Debian's VTK 9.1.",
+             "* Commits: " + ", ".join(f"{name} {section.get('commit', 'at or before 34978d39')}" for name, section in run["sections"].items()) + "."]
     return "\n".join(lines + [f"* {name}: {section['note']}" for name, section in run["sections"].items() if section["note"]]) + "\n"
 
 
