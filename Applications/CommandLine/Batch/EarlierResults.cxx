@@ -39,8 +39,10 @@ void RejectOtherOptions(const std::vector<BatchBone>& bones, const Arguments& ar
   {
     const bool matters = bone.IsBone() && !arguments.Force;
     const std::string options = matters ? OtherOptions(bone, arguments) : std::string();
-    count += options.empty() ? 0 : 1;
-    first = first.empty() && !options.empty() ? "'" + bone.Name + "' (" + options + ")" : first;
+    if (!options.empty() && ++count == 1)
+    {
+      first.append("'").append(bone.Name).append("' (").append(options).append(")");
+    }
   }
   if (count > 0)
   {
