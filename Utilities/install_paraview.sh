@@ -21,6 +21,7 @@ if ! command -v apt-get > /dev/null || [ "$(id -u)" -ne 0 ]; then
 fi
 
 apt-get -q update
+apt-cache show "${icons[@]}" > /dev/null 2>&1 || icons=() # systems of Qt 6 alone
 # What they need, without themselves.
 needed=$(apt-get -s --no-install-recommends install paraview paraview-dev "${icons[@]}" | awk '$1 == "Inst" { print $2 }' |
   grep -vxE "$(IFS='|'; echo "${packages[*]}")" || true)
