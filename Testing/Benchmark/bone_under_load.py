@@ -89,7 +89,7 @@ def read_displacements(path, count):
 def solve(surface, arguments, head, bottom):
     """Nodes, mean displacement of the loaded part along the force and largest displacement, mm."""
     volume = arguments.work / "volume.vtu"
-    outcome = volume_meshers.mesh("fTetWild", surface, volume, arguments.size, seconds=3600)
+    outcome = volume_meshers.mesh("fTetWild", surface, volume, arguments.size, cpu_seconds=3600)
     if "failure" in outcome:
         raise SystemExit(f"{surface}: {outcome['failure']}")
     grid = pyvista.read(volume)

@@ -28,7 +28,6 @@
 #include <optional>
 #include <set>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace bonedecimate
