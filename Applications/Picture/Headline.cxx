@@ -76,8 +76,8 @@ std::string LabelsTile(const PageLabels& labels)
 {
   const std::int64_t before = NotEmpty(labels.Before);
   const std::int64_t after = NotEmpty(labels.After);
-  return FigureTile(
-    std::to_string(after) + " of " + std::to_string(before), "labels kept", after < before);
+  return FigureTile(std::to_string(after) + " of " + std::to_string(before),
+    "labels in the input kept", after < before);
 }
 
 std::string Change(double before, double after)

@@ -141,7 +141,7 @@ vtkDataArray* vtkBoneDecimate::Internals::GetPointTolerances(vtkPolyData* input)
 
 //------------------------------------------------------------------------------
 /// Reports that the input lacks an array.
-void vtkBoneDecimate::Internals::RejectArray(int index)
+void vtkBoneDecimate::Internals::RejectArray(vtkPolyData* input, int index)
 {
   const bool isLabels = index == LABEL_ARRAY;
   const bonedecimate::Options& options = this->Filter->State->Options;
@@ -151,10 +151,10 @@ void vtkBoneDecimate::Internals::RejectArray(int index)
   {
     name = chosen->Get(vtkDataObject::FIELD_NAME());
   }
+  name = name.empty() ? " for index " + std::to_string(index) : " '" + name + "'";
   vtkErrorWithObjectMacro(
-    this->Filter, << "the input has no " << (isLabels ? "cell or point array" : "point array")
-                  << (name.empty() ? " for index " + std::to_string(index) : " '" + name + "'")
-                  << (isLabels ? " of whole numbers" : " of one component"));
+    this->Filter, << (isLabels ? bonedecimate::LackOfLabels(input, name)
+                               : bonedecimate::LackOfPointArray(input, name)));
 }
 
 //------------------------------------------------------------------------------
@@ -179,7 +179,7 @@ bool vtkBoneDecimate::Internals::ReadInput(vtkPolyData* input, vtkPolyData* refe
   }
   if ((hasTolerances && !read.Tolerances) || (hasLabels && !read.Labels))
   {
-    this->RejectArray(hasTolerances && !read.Tolerances ? TOLERANCE_ARRAY : LABEL_ARRAY);
+    this->RejectArray(input, hasTolerances && !read.Tolerances ? TOLERANCE_ARRAY : LABEL_ARRAY);
     return false;
   }
   if (const std::string& name = options.EdgeLengthArrayName; isFilled && !name.empty())
@@ -187,7 +187,8 @@ bool vtkBoneDecimate::Internals::ReadInput(vtkPolyData* input, vtkPolyData* refe
     read.EdgeLengths = bonedecimate::ReadNumbers(input->GetPointData()->GetArray(name.c_str()));
     if (!read.EdgeLengths)
     {
-      vtkErrorWithObjectMacro(this->Filter, << bonedecimate::LackOfPointArray(name));
+      vtkErrorWithObjectMacro(
+        this->Filter, << bonedecimate::LackOfPointArray(input, " '" + name + "'"));
       return false;
     }
   }

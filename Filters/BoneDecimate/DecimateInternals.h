@@ -179,7 +179,7 @@ private:
   bool ReadInput(vtkPolyData* input, vtkPolyData* reference,
     const bonedecimate::LabelMapRequest& map, RunInput& read);
   void ProveContinuedPart(const RunInput& read, bonedecimate::Result& result);
-  void RejectArray(int index);
+  void RejectArray(vtkPolyData* input, int index);
   bool ShouldContinue(bonedecimate::FilterProgress& progress, double fraction);
 
   vtkBoneDecimate* Filter;

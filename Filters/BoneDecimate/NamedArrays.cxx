@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NamedArrays.h"
 
+#include "Base/Text.h"
 #include "LabelArrays.h"
 
 #include "vtkCellData.h"
@@ -25,7 +26,7 @@ std::optional<std::vector<double>> ReadNumbersNamed(
     ReadNumbers(input->GetPointData()->GetArray(name.c_str()));
   if (!numbers && arrays.Problem.empty())
   {
-    arrays.Problem = LackOfPointArray(name);
+    arrays.Problem = LackOfPointArray(input, " '" + name + "'");
   }
   return numbers;
 }
@@ -40,7 +41,7 @@ void ReadLabelsNamed(const std::string& name, vtkPolyData* input, NamedArrays& a
         vtkDataObject::FIELD_ASSOCIATION_POINTS);
   if (!arrays.Labels)
   {
-    arrays.Problem = "the input has no cell or point array '" + name + "' of whole numbers";
+    arrays.Problem = LackOfLabels(input, " '" + name + "'");
   }
 }
 }
@@ -84,9 +85,33 @@ void CellLabels::Fill(const std::vector<Index>& triangles, vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-std::string LackOfPointArray(const std::string& name)
+std::string ListOfArrays(vtkFieldData* data)
 {
-  return "the input has no point array '" + name + "' of one component";
+  std::vector<std::string> names;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = data->GetAbstractArray(i);
+    if (array->GetNumberOfComponents() == 1 && array->GetName() != nullptr)
+    {
+      names.emplace_back(array->GetName());
+    }
+  }
+  return QuotedList(names);
+}
+
+//------------------------------------------------------------------------------
+std::string LackOfPointArray(vtkPolyData* input, const std::string& name)
+{
+  return "the input has no point array" + name +
+    " of one component (there are: " + ListOfArrays(input->GetPointData()) + ")";
+}
+
+//------------------------------------------------------------------------------
+std::string LackOfLabels(vtkPolyData* input, const std::string& name)
+{
+  return "the input has no cell or point array" + name +
+    " of whole numbers (of cells there are: " + ListOfArrays(input->GetCellData()) +
+    "; of points: " + ListOfArrays(input->GetPointData()) + ")";
 }
 
 //------------------------------------------------------------------------------

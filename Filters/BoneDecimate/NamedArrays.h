@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+class vtkFieldData;
 class vtkPolyData;
 
 namespace bonedecimate
@@ -49,8 +50,14 @@ struct NamedArrays
   CellLabels LabelsToCopy() const;
 };
 
+/// The names of the arrays of one component, for a sentence that an array is missing.
+std::string ListOfArrays(vtkFieldData* data);
+
 /// The sentence if the input lacks a point array that an option names.
-std::string LackOfPointArray(const std::string& name);
+/// @param name In quotes, after a blank.
+std::string LackOfPointArray(vtkPolyData* input, const std::string& name);
+/// The same for labels, of cells or points.
+std::string LackOfLabels(vtkPolyData* input, const std::string& name);
 
 /// @param options ToleranceArrayName, EdgeLengthArrayName and LabelArrayName.
 NamedArrays ReadNamedArrays(vtkPolyData* input, const Options& options);

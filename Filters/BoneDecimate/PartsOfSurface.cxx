@@ -140,7 +140,7 @@ vtkSmartPointer<vtkDataArray> vtkBoneDecimate::Internals::GetCellLabels(vtkPolyD
     input, ToSurface(input, this->Filter->State->Options.NumberOfThreads), array, association);
   if (!labels)
   {
-    this->RejectArray(LABEL_ARRAY);
+    this->RejectArray(input, LABEL_ARRAY);
   }
   return labels;
 }

@@ -174,8 +174,10 @@ int vtkBoneDecimateAlgorithm::GetProofStatus() const
 
 std::string vtkBoneDecimateAlgorithm::GetProofStatusAsString() const
 {
-  return bonedecimate::ProofStatusWord(
-    static_cast<bonedecimate::ProofStatus>(this->GetProofStatus()));
+  const int status = this->GetProofStatus();
+  return status == NO_PROOF && !this->State->Report.Proof.WasMade
+    ? "no_proof"
+    : bonedecimate::ProofStatusWord(static_cast<bonedecimate::ProofStatus>(status));
 }
 
 double vtkBoneDecimateAlgorithm::GetMeasuredError() const

@@ -96,12 +96,12 @@ public:
   /// first update.
   double GetProvedError() const;
 
-  /// Whether the largest error is proved: one of ProofStatuses; NO_PROOF if none was requested, and
-  /// before the first update.
+  /// Whether the largest error is proved: one of ProofStatuses; NO_PROOF if none was requested, in
+  /// mode Thesis, after an update that failed and before the first one.
   int GetProofStatus() const;
 
-  /// The status of the proof in one word: "not_requested", "proved", "violated", "undecided" or
-  /// "aborted".
+  /// The status of the proof in one word: "proved", "violated", "undecided", "aborted", "no_proof",
+  /// or "not_requested" if GetProvedError() is proved without a largest error to compare it with.
   std::string GetProofStatusAsString() const;
 
   /// Largest distance between the input and the result that was found by samples, in both

@@ -59,6 +59,18 @@ void FillSurface(const bonedecimate::Result& result,
   }
 }
 
+/// @param isCurve Whether there is no number of triangles to reach.
+std::vector<std::string> WarningsOfSearch(
+  const bonedecimate::ErrorSearchResult& found, const bonedecimate::Options& options, bool isCurve)
+{
+  return found.Best >= 0 || isCurve
+    ? std::vector<std::string>()
+    : std::vector<std::string>{ "no run kept its limits with " +
+        std::to_string(options.TargetNumberOfTriangles) +
+        " triangles or fewer; the output is that of the last run, with " +
+        std::to_string(found.Found.Report.Output.Faces) };
+}
+
 void FillTable(const std::vector<bonedecimate::ErrorTrial>& trials, vtkTable* table)
 {
   using Trial = bonedecimate::ErrorTrial;
@@ -224,6 +236,7 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   this->Warn(bonedecimate::ArrayWarnings(input, options.Run));
   this->Warn(
     bonedecimate::RunWarnings(converted.Surface, found.Found.Report, options.Run.NumberOfThreads));
+  this->Warn(WarningsOfSearch(found, options.Run, !this->Errors.empty()));
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
   this->ErrorTriedInVain = found.MaxFailedError;

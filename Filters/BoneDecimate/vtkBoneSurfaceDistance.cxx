@@ -3,6 +3,7 @@
 #include "vtkBoneSurfaceDistance.h"
 
 #include "FilterProgress.h"
+#include "NamedArrays.h"
 #include "NamedEntries.h"
 #include "Pieces.h"
 #include "RejectedValues.h"
@@ -236,7 +237,9 @@ bool vtkBoneSurfaceDistance::TakeTolerances(vtkPolyData* reference)
     bonedecimate::ReadNumbers(reference->GetPointData()->GetArray(name.c_str()));
   if (!values)
   {
-    vtkErrorMacro(<< "the reference has no point array '" << name << "' of one component");
+    vtkErrorMacro(<< "the reference has no point array '" << name
+                  << "' of one component (there are: "
+                  << bonedecimate::ListOfArrays(reference->GetPointData()) << ")");
     return false;
   }
   bonedecimate::Report found;

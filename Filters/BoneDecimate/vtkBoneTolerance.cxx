@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneTolerance.h"
 
+#include "NamedArrays.h"
 #include "PointChoice.h"
 #include "RejectedValues.h"
 #include "Run/Input/FeaturePoints.h"
@@ -238,11 +239,12 @@ std::string vtkBoneTolerance::Problem(vtkPolyData* input, vtkDataObject* selecti
   }
   if (this->Choice == POINT_ARRAY && !OneComponent(input->GetPointData()->GetArray(name.c_str())))
   {
-    return "the input has no point array '" + name + "' of one component";
+    return bonedecimate::LackOfPointArray(input, " '" + name + "'");
   }
   if (this->Choice == CELL_ARRAY && !OneComponent(input->GetCellData()->GetArray(name.c_str())))
   {
-    return "the input has no cell array '" + name + "' of one component";
+    return "the input has no cell array '" + name +
+      "' of one component (there are: " + bonedecimate::ListOfArrays(input->GetCellData()) + ")";
   }
   if (this->Choice == SELECTION && !selection)
   {

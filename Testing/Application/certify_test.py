@@ -5,6 +5,7 @@
 import vtk
 
 from application import NOT_WRITTEN, REJECTED, SURFACES, UNMEASURED, USAGE, ApplicationTest, main, read, torus, write
+from combinations_inputs import scaled
 from label_maps import blocks, bounded, smoothed, surface_of, write_map
 
 VIOLATED, UNDECIDED = 6, 7
@@ -198,6 +199,16 @@ class CertifyScan(ApplicationTest):
         self.fail_with(USAGE, "certify", "ct.mha", "bone.ply", says="'ct.mha' is a volume: --iso takes its bone surface")
         self.fail_with(USAGE, "certify", "bone.ply", "bone.ply", "--iso", 300, says="--iso has no effect")
         self.fail_with(USAGE, "certify", "ct.mha", "bone.ply", "--iso", 300, "--tolerance-array", "t", says="the reference is a volume")
+
+
+class CertifyUnits(ApplicationTest):
+    def test_sizes_of_different_units_are_a_warning(self):
+        write(torus(), self.path("bone.ply"))
+        write(scaled(torus(), 0.001), self.path("m.ply"))
+        completed = self.succeed("certify", "bone.ply", "m.ply")
+        self.assertIn("warning: the diagonal of RESULT is 0.001 times that of REFERENCE: the files may have different units", completed.stdout)
+        write(scaled(torus(), 0.2), self.path("smaller.ply"))
+        self.assertNotIn("units", self.succeed("certify", "bone.ply", "smaller.ply").stdout)
 
 
 class CertifyFolders(ApplicationTest):

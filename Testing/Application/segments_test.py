@@ -270,6 +270,14 @@ class Segments(ApplicationTest):
         self.path("closed").mkdir(mode=0o500)
         self.fail_with(NOT_WRITTEN, "map.vti", "closed/bones", *words, preexec_fn=without_root_powers)
 
+    def test_surfaces_of_an_earlier_run_are_named(self):
+        words = ("plain.mha", "bones/", "--target-reduction", 0.3, "--measure", "off")
+        self.assertNotIn("not of this run", self.succeed(*words, "--segments", "all", "--format", "stl").stdout)
+        said = self.succeed(*words, "--segments", "1,7", "--format", "ply").stdout
+        self.assertIn("warning: the folder has surfaces that are not of this run: 'label_1.stl', 'label_2.stl', 'label_7.stl'\n", said)
+        self.assertNotIn("not of this run", self.succeed(*words, "--segments", "1,7", "--format", "ply", "--also", "other.ply").stdout.replace(
+            "not of this run: 'label_1.stl', 'label_2.stl', 'label_7.stl'", ""))
+
     def test_a_batch_makes_a_folder_for_each_map_and_goes_on_where_it_ended(self):
         maps = self.path("maps")
         maps.mkdir()

@@ -4,11 +4,12 @@
 
 import csv
 import os
+import resource
 import signal
 import subprocess
 import time
 
-from application import INTERRUPTED, NO_MEMORY, PROGRAM, REJECTED, UNMEASURED, USAGE, ApplicationTest, main, sphere, torus, write
+from application import INTERRUPTED, NOT_WRITTEN, NO_MEMORY, PROGRAM, REJECTED, UNMEASURED, USAGE, ApplicationTest, limit, main, sphere, torus, write
 
 BONES = 24
 REDUCED = ("--target-reduction", "0.5", *UNMEASURED)
@@ -64,6 +65,22 @@ class SharedBatch(ApplicationTest):
         self.end(batches)
         self.assertEqual(len(seen), BONES)
         self.assertEqual({len(files) for files in seen.values()}, {1})
+
+    def test_results_below_the_inputs_are_no_inputs(self):
+        self.succeed("studies", "studies/reduced", *REDUCED)
+        said = self.succeed("studies", "out", *REDUCED).stdout
+        self.assertIn("reduced", said)
+        skipped = [(row["name"], row["status"]) for row in self.rows() if row["status"] != "done"]
+        self.assertEqual((len(self.rows()), skipped), (BONES + 1, [("reduced", "skipped")]))
+        self.succeed("studies/reduced", "again", *REDUCED)  # named itself
+
+    def test_a_full_disk_fails_each_input_and_does_not_end_the_batch(self):
+        completed = self.run_program("studies", "out", *REDUCED, preexec_fn=limit(resource.RLIMIT_FSIZE, 40000))  # below a surface, above the table
+        self.assertEqual(completed.returncode, NOT_WRITTEN)
+        self.assertEqual([row["status"] for row in self.rows()], ["failed"] * BONES)
+        self.assertTrue(all("File too large" in row["message"] for row in self.rows()))
+        self.succeed("studies", "out", *REDUCED)
+        self.assertEqual({row["status"] for row in self.rows()}, {"done"})
 
     def test_what_a_killed_batch_had_is_done_by_another(self):
         self.claim("0/00", 3600)

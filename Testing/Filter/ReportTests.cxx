@@ -181,6 +181,7 @@ TEST(Report, GettersHaveItsMainFigures)
   EXPECT_TRUE(std::isnan(run->GetProvedError()));
   EXPECT_TRUE(std::isnan(run->GetMeasuredError()));
   EXPECT_EQ(run->GetProofStatus(), vtkBoneDecimate::NO_PROOF);
+  EXPECT_EQ(run->GetProofStatusAsString(), "no_proof");
   EXPECT_EQ(run->GetNumberOfInputTriangles() + run->GetNumberOfOutputTriangles(), 0);
   run->SetMaximumError(0.5);
   const vtkIdType triangles = run.Output()->GetNumberOfPolys();

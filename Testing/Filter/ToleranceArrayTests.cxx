@@ -129,11 +129,19 @@ TEST(ToleranceArray, IsChosenByInputArrayToProcessUnlessThereIsAName)
 
 TEST(ToleranceArray, ToProcessThatTheInputLacksIsAnError)
 {
-  FilterRun run(Bumps(3));
+  const auto input = Bumps(3);
+  vtkNew<vtkDoubleArray> near;
+  near->SetName("Near");
+  near->SetNumberOfTuples(input->GetNumberOfPoints());
+  near->Fill(0.1);
+  input->GetPointData()->AddArray(near);
+  FilterRun run(input);
   run->SetInputArrayToProcess(
     vtkBoneDecimate::TOLERANCE_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nothing");
   EXPECT_EQ(run.Output()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(run.Said("the input has no point array 'Nothing'"), 1) << run.AllMessages();
+  EXPECT_EQ(
+    run.Said("the input has no point array 'Nothing' of one component (there are: 'Near')"), 1)
+    << run.AllMessages();
 }
 
 TEST(ToleranceArray, OfAnyTypeIsKept)

@@ -4,8 +4,8 @@
 
 import unittest
 
-from surfaces import TRIANGLES, decimating, torus
-from bonedecimate import error_curve, smallest_error, vtkBoneDecimate, vtkBoneSurfaceDistance
+from surfaces import TRIANGLES, Ear, decimating, torus
+from bonedecimate import error_curve, smallest_error, vtkBoneDecimate, vtkBoneErrorSearch, vtkBoneSurfaceDistance
 
 
 class ErrorSearch(unittest.TestCase):
@@ -21,6 +21,12 @@ class ErrorSearch(unittest.TestCase):
 
     def test_knows_when_there_is_none(self):
         self.assertIsNone(smallest_error(torus(), 3)[0])
+        search = vtkBoneErrorSearch()
+        warnings = Ear(search, "WarningEvent")
+        search.SetInputData(torus())
+        search.SetTargetNumberOfTriangles(3)
+        search.Update()
+        self.assertIn("no run kept its limits with 3 triangles or fewer; the output is that of the last run", "".join(warnings.texts))
 
     def test_has_a_curve(self):
         curve = error_curve(torus(), [0.05, 0.5], vtkBoneDecimate.FAST)

@@ -127,7 +127,7 @@ class Decimate(unittest.TestCase):
         self.assertEqual(json.loads(result.report_as_json)["output"]["triangles"], len(result.triangles))
         plain = decimate(POINTS, TRIANGLES, target_reduction=0.5, measure=False)
         self.assertTrue(math.isnan(plain.proved_error) and math.isnan(plain.measured_error))
-        self.assertEqual(plain.proof_status, "not_requested")
+        self.assertEqual(plain.proof_status, "no_proof")
 
     def test_keeps_what_is_left_of_the_error_against_a_reference(self):
         first = decimate(POINTS, TRIANGLES, max_error=0.1)

@@ -99,6 +99,9 @@ class Results(unittest.TestCase):
             self.assertEqual(report.units["proof.upper"], "mm")
             (line,) = [line for line in str(report).splitlines() if line.startswith("proof.upper ")]
             self.assertEqual(line.split(), ["proof.upper", number_text(report["proof.upper"]), "mm"])
+            options = [name for name in report if name.startswith("options.")]
+            self.assertEqual(str(report).splitlines()[-1].split(), ["options.*", str(len(options)), "more"])
+            self.assertEqual(len(str(report).splitlines()), len(report) - len(options) + 1)
             rows = re.findall("<tr>", report._repr_html_())
             self.assertEqual(len(rows), len(report))
             self.assertEqual(pickle.loads(pickle.dumps(report)).units, report.units)

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 namespace fs = std::filesystem;
@@ -45,6 +46,14 @@ BatchBone BoneOf(const fs::path& path, bool takesVolumes)
     bone.WhyNot = "not a surface or volume: " + (extension.empty() ? "no extension" : extension);
   }
   return bone;
+}
+
+/// Whether a batch wrote its table there.
+bool HasResultsOfBatch(const fs::path& folder)
+{
+  std::ifstream table(folder / "summary.csv");
+  std::string heading;
+  return std::getline(table, heading) && heading.rfind("name,input,output,", 0) == 0;
 }
 
 /// Finds the bones of a folder and of the folders in it.
@@ -97,6 +106,10 @@ private:
     if (fs::is_symlink(path, error))
     {
       problem.WhyNot = "a link to a folder, which is not followed";
+    }
+    else if (HasResultsOfBatch(path))
+    {
+      problem.WhyNot = "results of a batch: they are inputs only if this folder is named itself";
     }
     else if (const std::string message = this->Search(path); !message.empty())
     {

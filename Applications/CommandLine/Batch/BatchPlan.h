@@ -33,9 +33,10 @@ struct BatchBone
 /**
  * Files in the order given, those of a folder sorted by name, with those of the folders in it:
  * every file, every folder of a DICOM series or TIFF slices, but hidden ones, those that --only
- * leaves out, and the output folder. What is neither a surface nor a volume has a reason instead of
- * outputs and counts as Done, because the command line did not name it; a volume without --iso and
- * --segments counts as LeftOut, a folder that cannot be read as InputRejected.
+ * leaves out, and the output folder. Links to folders, folders with results of a batch, and what is
+ * neither a surface nor a volume have a reason instead of outputs and count as Done, because the
+ * command line did not name them; a volume without --iso and --segments counts as LeftOut, a folder
+ * that cannot be read as InputRejected.
  */
 std::vector<BatchBone> FindBones(const Arguments& arguments);
 

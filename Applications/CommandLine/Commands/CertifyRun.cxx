@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CertifyRun.h"
 
+#include "Arguments/InputArguments.h"
 #include "BoneVolume.h"
 #include "CertificatePage.h"
 #include "Figures/BoundText.h"
 #include "Files/FileNames.h"
+#include "Files/InputHints.h"
 #include "Files/StagedFile.h"
 #include "Files/SurfaceFiles.h"
 #include "Formats/FileChecks.h"
@@ -53,6 +55,12 @@ void CertifyRun::Read()
   const MillimeterSurface result =
     ReadInput(this->Requested.Result(), this->Requested.Unit, this->Warnings);
   this->Result = this->InFrameOfReference(result.Surface);
+  if (this->Requested.HasReference())
+  {
+    const std::string hint =
+      UnitsHint(vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(0, 0)), this->Result);
+    this->Warnings.insert(this->Warnings.end(), hint.empty() ? 0 : 1, hint);
+  }
   this->ReportOfResult = ReportFields(result.InFile).Text("proof.sentence");
   this->Filter->SetInputData(1, this->Result);
 }
@@ -276,11 +284,7 @@ void CertifyRun::ReadReference()
     return;
   }
   const MillimeterSurface reference = ReadInput(file, this->Requested.Unit, this->Warnings);
-  if (!this->Requested.ToleranceArray.empty() &&
-    !reference.Surface->GetPointData()->GetArray(this->Requested.ToleranceArray.c_str()))
-  {
-    Reject(file, "it has no point array '" + this->Requested.ToleranceArray + "'");
-  }
+  NeedPointArray(reference.Surface, this->Requested.ToleranceArray, file);
   this->Frame = FrameOf(reference.Surface);
   this->Filter->SetInputData(0, reference.Surface);
 }

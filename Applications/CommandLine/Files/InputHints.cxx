@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputHints.h"
 
+#include "NumberText.h"
+
+#include <algorithm>
+
 namespace bonedecimate
 {
 std::string VertexCellsHint(vtkPolyData* input)
@@ -14,5 +18,18 @@ std::string VertexCellsHint(vtkPolyData* input)
           : " vertex cells of the input are no part of the surface and stay with their "
             "points") +
       "; without them the file is smaller";
+}
+
+/// Bones of one unit hardly differ that much in size; mm, cm, inches and m do.
+std::string UnitsHint(vtkPolyData* reference, vtkPolyData* result)
+{
+  constexpr double most = 9.0;
+  const double before = reference != nullptr ? reference->GetLength() : 0.0;
+  const double after = result->GetLength();
+  const bool areAlike =
+    before == 0.0 || after == 0.0 || std::max(before / after, after / before) < most;
+  return areAlike ? std::string()
+                  : "the diagonal of RESULT is " + ShortText(after / before) +
+      " times that of REFERENCE: the files may have different units (--unit is that of both)";
 }
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file InputHints.h
- * @brief What makes a file larger than its surface: cells that are no part of it. The filters tell
- * what makes a surface hard to simplify.
+ * @brief What a look at the surfaces of files tells: cells that are no part of a surface, two files
+ * of different units. The filters tell what makes a surface hard to simplify.
  */
 #ifndef BoneDecimate_Applications_InputHints_h
 #define BoneDecimate_Applications_InputHints_h
@@ -16,6 +16,10 @@ namespace bonedecimate
 {
 /// Empty if there are none.
 std::string VertexCellsHint(vtkPolyData* input);
+
+/// About two surfaces of which one is nine or more times as large as the other. Empty if they are
+/// not. @param reference May be null.
+std::string UnitsHint(vtkPolyData* reference, vtkPolyData* result);
 }
 
 #endif

@@ -48,7 +48,7 @@ void PrintLabelsOrComponents(const ReportFields& report, const std::vector<Segme
   }
   const auto kept = std::count_if(segments.begin(), segments.end(),
     [](const SegmentRecord& segment) { return segment.Triangles > 0; });
-  std::cout << "labels          " << kept << " of " << segments.size() << " kept\n";
+  std::cout << "labels          " << kept << " of " << segments.size() << " in the input kept\n";
 }
 
 /// Only if there are many.

@@ -11,6 +11,7 @@
 #include "Files/SameFile.h"
 #include "Files/SurfaceFiles.h"
 #include "Files/WrittenProof.h"
+#include "FolderEntries.h"
 #include "Formats/SurfaceFormat.h"
 #include "NamedLabels.h"
 #include "NumberText.h"
@@ -211,6 +212,30 @@ void WarnOfThinSegment(vtkPolyData* result, const SegmentRecord& segment, Report
   }
 }
 
+/// Surfaces in the folder of the segments that this run does not write, such as those of another
+/// format.
+void WarnOfOtherSurfaces(const Arguments& arguments, ReportSubject& subject)
+{
+  const std::string folder = FolderOfSegments(arguments);
+  std::error_code error;
+  std::vector<std::string> others;
+  for (const fs::path& path : FolderEntries(FilePath(folder), error))
+  {
+    const std::string name = path.filename().string();
+    const auto isIt = [&name](const SegmentRecord& segment) { return segment.File == name; };
+    if (name[0] != '.' && FindFormat(name) != nullptr &&
+      std::none_of(subject.Segments.begin(), subject.Segments.end(), isIt))
+    {
+      others.push_back(name);
+    }
+  }
+  if (!others.empty())
+  {
+    subject.Warnings.push_back(
+      "the folder has surfaces that are not of this run: " + QuotedList(others));
+  }
+}
+
 /// Writes the files of the segments.
 class SegmentWriter
 {
@@ -282,6 +307,10 @@ void WriteSegments(
     }
     WarnOfThinSegment(result, record, subject);
     subject.Segments.push_back(record);
+  }
+  if (IsSegmentFolder(arguments))
+  {
+    WarnOfOtherSurfaces(arguments, subject);
   }
   if (files.Blocks)
   {

@@ -18,8 +18,9 @@ GROUPS = {"Targets": "Targets", "Smoothing": "Smoothing", "Proof": "Proof", "Sha
           "Output": "Output", "Names": "Names of arrays", "Thesis": "Mode Thesis"}
 # As XML writes them; those of counts are in their names.
 UNITS = {"mm": "mm", "mm2": "mm&#178;", "mm3": "mm&#179;", "degrees": "&#176;"}
-# A panel sets every property: see vtkPVBoneDecimate.
+# A panel sets every property, those at their default, too: see vtkPVBoneDecimate. The words stand beside the number.
 COMMANDS = {"TargetReduction": "SetTargetReductionUnlessDefault"}
+WORDS = {"TargetReduction": "0.9 yields to other targets"}
 
 HEAD = """<!-- Generated from the table of options. -->
 <ServerManagerConfiguration>
@@ -65,9 +66,14 @@ def text_of(row):
     return (f"In {row['unit']}. " if row["unit"] == "mm" else "") + row["sentence"]
 
 
+def words_beside(row):
+    """What is shown beside the number: its unit, or when it counts."""
+    return UNITS.get(row["unit"], "") or WORDS.get(row["name"], "")
+
+
 def range_attributes(row):
-    # A panel shows a slider without the unit between two ends: the filter rejects what is beyond the other one.
-    maximum = "" if row["unit"] else f' max="{row["maximum"]:.10g}"'
+    # A panel shows a slider without the words between two ends: the filter rejects what is beyond the other one.
+    maximum = "" if row["unit"] or words_beside(row) else f' max="{row["maximum"]:.10g}"'
     return f'min="{row["minimum"]:.10g}"' + maximum
 
 
@@ -104,9 +110,9 @@ def condition(name, value, has_value):
 
 
 def hints(row):
-    """The unit, and enabled where one term of each list holds."""
-    unit = UNITS.get(row["unit"], "")
-    lines = [f'<ShowComponentLabels><ComponentLabel component="0" label="{unit}"/></ShowComponentLabels>'] if unit else []
+    """The words beside the number, and enabled where one term of each list holds."""
+    words = words_beside(row)
+    lines = [f'<ShowComponentLabels><ComponentLabel component="0" label="{words}"/></ShowComponentLabels>'] if words else []
     for terms in row["conditions"]:
         parts = [condition(*term) for term in terms]
         lines.append(parts[0] if len(parts) == 1 else '<PropertyWidgetDecorator type="CompositeDecorator"><Expression type="or">'

@@ -59,6 +59,20 @@ std::string ListText(const std::vector<Number>& numbers)
                                : text;
 }
 
+/// "'a', 'b' and 17 more"; "none" if there are none.
+inline std::string QuotedList(const std::vector<std::string>& names)
+{
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+  {
+    text += (i > 0 ? ", '" : "'") + names[i] + "'";
+  }
+  return names.empty()    ? "none"
+    : names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
+                          : text;
+}
+
 /// Escapes text or an attribute value for XML, HTML or SVG.
 inline std::string EscapedXml(const std::string& text)
 {

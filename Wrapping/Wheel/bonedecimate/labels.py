@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .polydata import Surface, numbers
+from .polydata import Surface, array_names, numbers
 from .surfaces import named_labels
 
 
@@ -18,7 +18,8 @@ def labels_of(data: vtkPolyData, surface: Surface, name: str) -> tuple[NDArray[n
     cells = data.GetCellData().GetArray(name)
     array = cells if cells is not None else data.GetPointData().GetArray(name)
     if array is None:
-        raise ValueError(f"the input has no cell or point array '{name}' of whole numbers")
+        raise ValueError(f"the input has no cell or point array '{name}' of whole numbers (of cells there are: {array_names(data.GetCellData())}; "
+                         f"of points: {array_names(data.GetPointData())})")
     return labels_from_array(data, surface, array, cells is not None)
 
 

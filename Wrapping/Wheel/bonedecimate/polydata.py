@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkAbstractArray, vtkDoubleArray, vtkFloatArray, vtkIdTypeArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
 
 from . import _core
 from .left_out import left_out_curves, left_out_of_reader, left_out_polygons
@@ -34,6 +34,12 @@ def numbers(array) -> NDArray:
     if array.GetNumberOfValues() == 0:
         return np.empty((array.GetNumberOfTuples(), array.GetNumberOfComponents()))
     return np.asarray(memoryview(array)).reshape(array.GetNumberOfTuples(), array.GetNumberOfComponents())
+
+
+def array_names(data: vtkDataSetAttributes) -> str:
+    """Of the arrays, for a sentence that one is missing."""
+    names = [f"'{data.GetArrayName(i)}'" for i in range(data.GetNumberOfArrays()) if data.GetArrayName(i)]
+    return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "") if names else "none"
 
 
 def new_array(kind, values: NDArray):

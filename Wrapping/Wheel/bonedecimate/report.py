@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 
 
 class Report(dict[str, "int | float | str"]):
-    """A report by name, "proof.upper"; printed, it is a table."""
+    """A report by name, "proof.upper"; printed, it is a table, in which the options of the run are counted."""
 
     units: dict[str, str]  #: of each entry that has one
 
@@ -28,8 +28,10 @@ class Report(dict[str, "int | float | str"]):
             yield name, number_text(value) if isinstance(value, float) else str(value), self.units.get(name, "")
 
     def __str__(self) -> str:
-        width = max(map(len, self), default=0)
-        return "\n".join(f"{name:{width}}  {value} {unit}".rstrip() for name, value, unit in self._rows())
+        rows = [row for row in self._rows() if not row[0].startswith("options.")]
+        rows += [("options.*", f"{len(self) - len(rows)} more", "")] if len(rows) < len(self) else []
+        width = max((len(name) for name, _, _ in rows), default=0)
+        return "\n".join(f"{name:{width}}  {value} {unit}".rstrip() for name, value, unit in rows)
 
     def _repr_html_(self) -> str:
         """For notebooks. The options of the run are folded."""

@@ -113,8 +113,8 @@ class Result:
 
     @property
     def proof_status(self) -> str:
-        """Whether the largest error is proved: "not_requested", "proved", "violated", "undecided" or "aborted"."""
-        return self.report.get("proof.status", "not_requested")
+        """Whether the largest error is proved: "proved", "violated", "undecided", "aborted" or "no_proof"."""
+        return self.report.get("proof.status", "no_proof")
 
     def __iter__(self) -> Iterator[NDArray]:
         return iter((self.points, self.triangles))

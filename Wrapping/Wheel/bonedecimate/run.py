@@ -16,7 +16,7 @@ from .arrays import gives_single
 from .label_arrays import pass_label_arrays, surface_with_source
 from .labels import labels_from_array, labels_of
 from .left_out import LEFT_OUT
-from .polydata import Passed, Surface, passed, points_of, set_triangles
+from .polydata import Passed, Surface, array_names, passed, points_of, set_triangles
 from .progress import Progress
 from .surface_report import REPORT
 from .surfaces import surface_from
@@ -46,9 +46,9 @@ def run(data: vtkPolyData, options: _core.Options, progress: Progress | None, re
     is_filled = data.GetNumberOfPoints() > 0
     name = options.get("ToleranceArrayName")
     array = data.GetPointData().GetArray(name) if name else arrays.tolerances
-    tolerances = _values_of(array, name) if is_filled and (name or array is not None) else None
+    tolerances = _values_of(data, array, name) if is_filled and (name or array is not None) else None
     name = options.get("EdgeLengthArrayName")
-    edge_lengths = _values_of(data.GetPointData().GetArray(name), name) if is_filled and name else None
+    edge_lengths = _values_of(data, data.GetPointData().GetArray(name), name) if is_filled and name else None
     surface = surface_with_source(data)
     if surface.source is not None and surface.source.grid is None:
         surface.source = None
@@ -130,9 +130,9 @@ def add_point_array(output: vtkPolyData, name: str, unit: str, values: NDArray, 
     output.GetPointData().AddArray(array)
 
 
-def _values_of(array: vtkDataArray | None, name: str) -> NDArray[np.float64]:
+def _values_of(data: vtkPolyData, array: vtkDataArray | None, name: str) -> NDArray[np.float64]:
     if array is None or array.GetNumberOfComponents() != 1:
-        raise ValueError(f"the input has no point array '{name}' of one component")
+        raise ValueError(f"the input has no point array '{name}' of one component (there are: {array_names(data.GetPointData())})")
     values = vtkDoubleArray()
     values.DeepCopy(array)  # of any type of number
     return np.array(memoryview(values)) if values.GetNumberOfTuples() else np.empty(0)

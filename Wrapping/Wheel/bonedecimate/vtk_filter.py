@@ -124,11 +124,12 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
 
     def GetProofStatus(self) -> int:
         """Whether the largest error is proved: NO_PROOF, PROVED, VIOLATED, UNDECIDED or PROOF_ABORTED."""
-        return PROOF_STATUSES.index(self.GetProofStatusAsString())
+        return PROOF_STATUSES.index(self.GetReportText("proof.status") or PROOF_STATUSES[0])
 
     def GetProofStatusAsString(self) -> str:
-        """The same in one word: "not_requested", "proved", "violated", "undecided" or "aborted"."""
-        return self.GetReportText("proof.status") or PROOF_STATUSES[0]
+        """The same in one word: "proved", "violated", "undecided", "aborted", "no_proof", or "not_requested" if the error is proved and there is no
+        largest error to compare with."""
+        return self.GetReportText("proof.status") or "no_proof"
 
     def GetMeasuredError(self) -> float:
         """Largest distance by samples, both directions, mm; NaN without MeasureDistances and before the first update."""
