@@ -64,7 +64,7 @@ class Grids(ApplicationTest):
     def test_smoothing_and_simplification_keep_every_voxel_where_it_is(self):
         for name, matrix, layers in self.each_grid():
             self.succeed(name, f"{name}0.vtp", "--segments", "all", "--measure", "off", "--target-reduction", 0)
-            self.succeed(name, f"{name}-out/", *VOXELS, *HALF, "--smooth", "auto")
+            self.succeed(name, f"{name}-out.vtm", *VOXELS, *HALF, "--smooth", "auto")
             self.assertEqual((self.report()["voxels"]["guard"], self.report()["voxels"]["changed"]), ("on", 0))
             self.expect_voxels(f"{name}-out", matrix, layers)
             self.succeed(name, f"{name}1.vtp", "--segments", "all", *HALF, "--smooth", "auto", "--measure", "off", "--report", "report.json")
@@ -78,9 +78,9 @@ class Grids(ApplicationTest):
     def test_errors_beyond_a_voxel_keep_every_voxel_on_request(self):
         for name, matrix, layers in self.each_grid():
             for smooth in ("0", "auto"):
-                self.succeed(name, f"{name}-{smooth}/", *VOXELS, "--max-error", 5, "--keep-voxels", "On", "--smooth", smooth)
+                self.succeed(name, f"{name}-{smooth}.vtm", *VOXELS, "--max-error", 5, "--keep-voxels", "On", "--smooth", smooth)
                 self.expect_voxels(f"{name}-{smooth}", matrix, layers)
-            self.succeed(name, f"{name}-off/", *VOXELS, "--max-error", 2, "--keep-voxels", "Off")
+            self.succeed(name, f"{name}-off.vtm", *VOXELS, "--max-error", 2, "--keep-voxels", "Off")
             changed = sum(wrong_voxels(read(self.path(f"{name}-off/label_{label}.vtp")), head() == label, matrix, layers) for label in (1, 2))
             self.assertGreater(changed, 0)
 
@@ -104,7 +104,7 @@ class Grids(ApplicationTest):
 
     def test_saved_surfaces_know_the_grid(self):
         for name, matrix, layers in self.each_grid():
-            self.succeed(name, f"{name}-whole/", *VOXELS, "--max-error", 0.01)
+            self.succeed(name, f"{name}-whole.vtm", *VOXELS, "--max-error", 0.01)
             whole = f"{name}-whole/label_1.vtp"
             self.succeed(whole, "small.vtp", "--keep-voxels", "On", "--measure", "off")
             self.assertLess(read(self.path("small.vtp")).GetNumberOfCells(), 0.5 * read(self.path(whole)).GetNumberOfCells())
@@ -131,7 +131,7 @@ class Grids(ApplicationTest):
         for name, (axis, layers) in GRIDS.items():
             with self.subTest(grid=name):
                 self.write_slices(f"islands-{name}", labels, axis, layers)
-                self.succeed(f"islands-{name}", "out/", *VOXELS, *HALF, "--prune-volume", 3)
+                self.succeed(f"islands-{name}", "out.vtm", *VOXELS, *HALF, "--prune-volume", 3)
                 removed = self.report()["segments"]["list"][0]["changed_before"]["islands_removed"]
                 thick = layers[20] - layers[19]
                 count = 1 if thick * axis[2] > 3 else 2
@@ -158,7 +158,7 @@ class Grids(ApplicationTest):
         steps[:3, 2] /= 1.5
         for name in ("map.nii", "map.nrrd", "map.mha"):
             with self.subTest(name=name):
-                self.succeed(name, f"{name}-out/", *VOXELS, *HALF, "--smooth", "auto")
+                self.succeed(name, f"{name}-out.vtm", *VOXELS, *HALF, "--smooth", "auto")
                 self.expect_voxels(f"{name}-out", steps, EVEN)
 
     def vti(self, name, layers):
@@ -175,7 +175,7 @@ class Grids(ApplicationTest):
 
     def test_vtk_images_say_where_their_layers_are(self):
         self.vti("map.vti", UNEVEN)
-        self.succeed("map.vti", "out/", *VOXELS, *HALF)
+        self.succeed("map.vti", "out.vtm", *VOXELS, *HALF)
         self.expect_voxels("out", numpy.eye(4), UNEVEN)
         for wrong in (UNEVEN[:-1], UNEVEN[::-1], UNEVEN + 1, [*UNEVEN[:5], numpy.nan, *UNEVEN[6:]]):
             self.vti("wrong.vti", wrong)
