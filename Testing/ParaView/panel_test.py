@@ -57,7 +57,7 @@ class Panel(unittest.TestCase):
         panel = ElementTree.parse(PANELS[0]).find(".//SourceProxy")
         shown = {child.get("name"): component.get("label") for child in panel for component in child.iter("ComponentLabel")}
         rows = re.findall(r"^\| `(\w+)` \|[^|]*\| ([^|]+) \| [^|]* \| ([^|]*) \|", TABLE, re.MULTILINE)
-        self.assertEqual(shown.pop("TargetReduction"), "0.9 yields to other targets")
+        self.assertEqual(shown.pop("TargetReduction"), "0.9: unset")
         self.assertEqual(shown, {name: units[unit.strip()] for name, _, unit in rows if unit.strip() in units})
         decimate = simple.BoneDecimate(Input=self.bone, PruneArea=2.0)
         self.assertEqual(decimate.PruneArea, 2.0)

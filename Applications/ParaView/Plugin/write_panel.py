@@ -18,9 +18,9 @@ GROUPS = {"Targets": "Targets", "Smoothing": "Smoothing", "Proof": "Proof", "Sha
           "Output": "Output", "Names": "Names of arrays", "Thesis": "Mode Thesis"}
 # As XML writes them; those of counts are in their names.
 UNITS = {"mm": "mm", "mm2": "mm&#178;", "mm3": "mm&#179;", "degrees": "&#176;"}
-# A panel sets every property, those at their default, too: see vtkPVBoneDecimate. The words stand beside the number.
+# A panel sets every property, those at their default, too: see vtkPVBoneDecimate. The words are beside the number.
 COMMANDS = {"TargetReduction": "SetTargetReductionUnlessDefault"}
-WORDS = {"TargetReduction": "0.9 yields to other targets"}
+WORDS = {"TargetReduction": "0.9: unset"}
 
 HEAD = """<!-- Generated from the table of options. -->
 <ServerManagerConfiguration>
