@@ -315,11 +315,6 @@ std::vector<std::string> InputWarnings(const Report& report)
 {
   const CleaningStatistics& found = report.Cleaning;
   std::vector<std::string> warnings = IdleWarnings(report);
-  if (report.Requested.MaximumError > 0.0 && !FindMode(report.Requested.Mode).ProvesError())
-  {
-    warnings.push_back(std::string("nothing is proved in ") + FindMode(report.Requested.Mode).Name +
-      " mode: its largest error only limits the distance of new vertices");
-  }
   const std::vector<std::string> ofSize = SizeWarnings(report.Size);
   warnings.insert(warnings.end(), ofSize.begin(), ofSize.end());
   if (report.Voxel.From == VoxelFigures::Source::Edges)
