@@ -3,12 +3,12 @@
 #include "InputArguments.h"
 
 #include "Arguments.h"
-#include "Base/Text.h"
 #include "CommonOptions.h"
 #include "ExitCode.h"
 #include "Files/SurfaceFiles.h"
 #include "Formats/FileChecks.h"
 #include "HelpFormatter.h"
+#include "NamedArrays.h"
 
 #include "vtkBoneDecimateAlgorithm.h"
 #include "vtkNew.h"
@@ -18,23 +18,6 @@
 
 namespace bonedecimate
 {
-namespace
-{
-std::string LackOfPointArray(vtkPolyData* surface, const std::string& array)
-{
-  vtkPointData* const data = surface->GetPointData();
-  std::vector<std::string> names;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    if (const char* const name = data->GetArrayName(i); name != nullptr)
-    {
-      names.emplace_back(name);
-    }
-  }
-  return "it has no point array '" + array + "' (there are: " + QuotedList(names) + ")";
-}
-}
-
 void AddRegions(
   CLI::App& app, std::vector<Region>& regions, const std::function<void(const std::string&)>& given)
 {
@@ -86,7 +69,9 @@ void NeedPointArray(vtkPolyData* surface, const std::string& array, const std::s
 {
   if (!array.empty() && !surface->GetPointData()->HasArray(array.c_str()))
   {
-    Reject(path, LackOfPointArray(surface, array));
+    Reject(path,
+      "it has no point array '" + array +
+        "' (there are: " + ListOfArrays(surface->GetPointData()) + ")");
   }
 }
 

@@ -57,9 +57,8 @@ void CertifyRun::Read()
   this->Result = this->InFrameOfReference(result.Surface);
   if (this->Requested.HasReference())
   {
-    const std::string hint =
-      UnitsHint(vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(0, 0)), this->Result);
-    this->Warnings.insert(this->Warnings.end(), hint.empty() ? 0 : 1, hint);
+    auto* const reference = vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(0, 0));
+    WarnOfUnits(reference, this->Result, this->Warnings);
   }
   this->ReportOfResult = ReportFields(result.InFile).Text("proof.sentence");
   this->Filter->SetInputData(1, this->Result);

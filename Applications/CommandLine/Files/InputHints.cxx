@@ -21,15 +21,15 @@ std::string VertexCellsHint(vtkPolyData* input)
 }
 
 /// Bones of one unit hardly differ that much in size; mm, cm, inches and m do.
-std::string UnitsHint(vtkPolyData* reference, vtkPolyData* result)
+void WarnOfUnits(vtkPolyData* reference, vtkPolyData* result, std::vector<std::string>& warnings)
 {
   constexpr double most = 9.0;
-  const double before = reference != nullptr ? reference->GetLength() : 0.0;
+  const double before = reference->GetLength();
   const double after = result->GetLength();
-  const bool areAlike =
-    before == 0.0 || after == 0.0 || std::max(before / after, after / before) < most;
-  return areAlike ? std::string()
-                  : "the diagonal of RESULT is " + ShortText(after / before) +
-      " times that of REFERENCE: the files may have different units (--unit is that of both)";
+  if (before > 0.0 && after > 0.0 && std::max(before / after, after / before) >= most)
+  {
+    warnings.push_back("the diagonal of RESULT is " + ShortText(after / before) +
+      " times that of REFERENCE: the files may have different units (--unit is that of both)");
+  }
 }
 }

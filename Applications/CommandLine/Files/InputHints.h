@@ -11,15 +11,15 @@
 #include "vtkPolyData.h"
 
 #include <string>
+#include <vector>
 
 namespace bonedecimate
 {
 /// Empty if there are none.
 std::string VertexCellsHint(vtkPolyData* input);
 
-/// About two surfaces of which one is nine or more times as large as the other. Empty if they are
-/// not. @param reference May be null.
-std::string UnitsHint(vtkPolyData* reference, vtkPolyData* result);
+/// A warning if one of two surfaces is nine or more times as large as the other.
+void WarnOfUnits(vtkPolyData* reference, vtkPolyData* result, std::vector<std::string>& warnings);
 }
 
 #endif

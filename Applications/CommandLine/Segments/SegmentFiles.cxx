@@ -223,8 +223,11 @@ void WarnOfOtherSurfaces(const Arguments& arguments, ReportSubject& subject)
   {
     const std::string name = path.filename().string();
     const auto isIt = [&name](const SegmentRecord& segment) { return segment.File == name; };
+    const auto isAlso = [&path](const std::string& file)
+    { return IsSameFile(path.string(), file); };
     if (name[0] != '.' && FindFormat(name) != nullptr &&
-      std::none_of(subject.Segments.begin(), subject.Segments.end(), isIt))
+      std::none_of(subject.Segments.begin(), subject.Segments.end(), isIt) &&
+      std::none_of(arguments.Also.begin(), arguments.Also.end(), isAlso))
     {
       others.push_back(name);
     }

@@ -45,32 +45,32 @@ inline std::vector<std::string> SplitAt(const std::string& text, char separator)
   return parts;
 }
 
-/// Text such as "1, 2, 3, 4, 5 and 17 more".
+/// Text such as "1, 2, 3, 4, 5 and 17 more". @param textOf The text of an item.
+template <typename Item, typename TextOf>
+std::string ShortList(const std::vector<Item>& items, TextOf textOf)
+{
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(items.size(), most); ++i)
+  {
+    text += (i > 0 ? ", " : "") + textOf(items[i]);
+  }
+  return items.size() > most ? text + " and " + std::to_string(items.size() - most) + " more"
+                             : text;
+}
+
+/// "1, 2, 3, 4, 5 and 17 more".
 template <typename Number>
 std::string ListText(const std::vector<Number>& numbers)
 {
-  constexpr std::size_t most = 5;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(numbers.size(), most); ++i)
-  {
-    text += (i > 0 ? ", " : "") + std::to_string(numbers[i]);
-  }
-  return numbers.size() > most ? text + " and " + std::to_string(numbers.size() - most) + " more"
-                               : text;
+  return ShortList(numbers, [](Number number) { return std::to_string(number); });
 }
 
-/// "'a', 'b' and 17 more"; "none" if there are none.
+/// "'a', 'b'"; "none" if there are none.
 inline std::string QuotedList(const std::vector<std::string>& names)
 {
-  constexpr std::size_t most = 5;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
-  {
-    text += (i > 0 ? ", '" : "'") + names[i] + "'";
-  }
-  return names.empty()    ? "none"
-    : names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
-                          : text;
+  return names.empty() ? "none"
+                       : ShortList(names, [](const std::string& name) { return "'" + name + "'"; });
 }
 
 /// Escapes text or an attribute value for XML, HTML or SVG.

@@ -257,10 +257,10 @@ def main() -> int:
     lab = Lab(programs, Workshop(programs, work), Verifier(programs, options.samples), folder, options.bone or BONES, options.skull, options.python, options.with_meshlib)
     commit = machine.commit()
     for table in options.tables or TABLES:
-        rows = list(TABLES[table](lab))
-        for row in rows:
+        rows = []
+        for row in TABLES[table](lab):
             print(f"  {table}: " + ", ".join(f"{column} {text(value, 4)}" for column, value in row.items()), flush=True)
-        if rows:
+            rows.append(row)
             write_file(folder / file_of(table), [*rows[0], "commit"], records_of(rows, commit))
         if rows and options.write_docs:
             shutil.copyfile(folder / file_of(table), RESULTS / DATA / file_of(table))
