@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Tables of single features: least angles, edge lengths, voxels, tunnels, levels, slabs, non-manifold edges; remeshers, volume meshers, label maps
-# and strokes of a brush, in which other programs take part.
+# Tables of single features: least angles, edge lengths, voxels, tunnels, levels, slabs, non-manifold edges, sharp edges; remeshers, volume meshers,
+# label maps and strokes of a brush, in which other programs take part.
 #
 #   Testing/Benchmark/features.sh [TABLE ...] [--bone FILE ...] [--skull FILE] [--with-meshlib] [--write-docs]
 #

@@ -11,6 +11,9 @@ import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+import sharp_edges
 
 
 def run_features(work, *words):
@@ -46,6 +49,15 @@ class ShortForm(unittest.TestCase):
             self.assertLessEqual(float(row["mean, mm"]), float(row["RMS, mm"]))
             self.assertLessEqual(float(row["Hausdorff, mm"]), 0.5)
             self.assertTrue(row["commit"])
+
+    def test_a_feature_angle_keeps_edges(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(os.environ["BENCHMARK_PROGRAMS"]) / "bonedecimate"
+            row = sharp_edges.row_of("cube", sharp_edges.solids()["cube, 12 mm"], 1.0, program, pathlib.Path(folder))
+        for figure in ("RMS, mm", "degrees"):
+            values = [row[f"{method}: {figure}"] for method in ("edges kept", "smoothed", "not smoothed")]
+            self.assertEqual(values, sorted(values))
+        self.assertLess(row["edges kept: edge, mm"], row["smoothed: edge, mm"])
 
     def test_an_unknown_table_is_named(self):
         done = run_features(self.work, "angels")

@@ -70,8 +70,8 @@ void NeedPointArray(vtkPolyData* surface, const std::string& array, const std::s
   if (!array.empty() && !surface->GetPointData()->HasArray(array.c_str()))
   {
     Reject(path,
-      "it has no point array '" + array +
-        "' (there are: " + ListOfArrays(surface->GetPointData()) + ")");
+      "it has no point array '" + array + "' (there are: " + ListOfArrays(surface->GetPointData()) +
+        ")");
   }
 }
 

@@ -216,7 +216,7 @@ def tolerance(lab: Lab) -> Iterator[Row]:
 TABLES: dict[str, Callable[[Lab], Iterator[Row]]] = {
     "angles": angles, "angles-by-count": angles_by_count, "lengths": lengths, "voxels": voxels, "tunnels": tunnels, "levels": levels, "slabs": slabs,
     "non-manifold": non_manifold, "tolerance": tolerance, "remeshers": peer_features.remeshers, "meshers": peer_features.meshers, "label-maps": peer_features.label_maps,
-    "strokes": peer_features.strokes}
+    "sharp-edges": peer_features.sharp_edges, "strokes": peer_features.strokes}
 
 
 def file_of(table: str) -> str:

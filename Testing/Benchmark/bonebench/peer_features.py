@@ -119,6 +119,11 @@ def label_maps(lab: Lab) -> Iterator[Row]:
         yield from (row for row in rows_of(sys.executable, "label_maps.py") if "SurfaceNets" in row["filter"])
 
 
+def sharp_edges(lab: Lab) -> Iterator[Row]:
+    """Solids with edges, smoothed with and without FeatureAngle."""
+    yield from rows_of(lab.python, "sharp_edges.py", lab.programs.folder / "bonedecimate")
+
+
 def strokes(lab: Lab) -> Iterator[Row]:
     """A brush on the cranium."""
     lab.use_filters()
