@@ -13,8 +13,10 @@ const std::vector<std::pair<ExitCode, std::string>>& ExitCodeMeanings()
     { ExitCode::CouldNotWrite,
       "a file could not be written, or the picture of --picture could not be drawn" },
     { ExitCode::Interrupted,
-      "interrupted, nothing was written; certify: the bounds proved until then were written" },
-    { ExitCode::OutOfMemory, "out of memory, nothing was written" },
+      "interrupted, or beyond --time-limit; nothing of that input was written. certify: the bounds "
+      "proved until then were written" },
+    { ExitCode::OutOfMemory,
+      "out of memory, or beyond --memory-limit; nothing of that input was written" },
     { ExitCode::Violated,
       "certify: the tolerance is not kept, or a voxel has another label; 0 means that it is proved "
       "to be kept and that no voxel changed. tolerance: no surface "

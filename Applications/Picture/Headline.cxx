@@ -72,12 +72,15 @@ std::int64_t NotEmpty(const std::vector<LabelExtent>& labels)
     labels.begin(), labels.end(), [](const LabelExtent& label) { return label.Triangles > 0; });
 }
 
-std::string LabelsTile(const PageLabels& labels)
+std::string LabelsTile(const ReportFields& report, const PageLabels& labels)
 {
+  const double changed = report.Number("voxels.changed").value_or(0.0);
   const std::int64_t before = NotEmpty(labels.Before);
   const std::int64_t after = NotEmpty(labels.After);
   return FigureTile(std::to_string(after) + " of " + std::to_string(before),
-    "labels in the input kept", after < before);
+    "labels in the input kept" +
+      (changed > 0.0 ? "; " + GroupedText(changed) + " voxels have another label" : std::string()),
+    after < before);
 }
 
 std::string Change(double before, double after)
@@ -102,7 +105,8 @@ std::string HeadlineSection(const ReportFields& report, const std::vector<double
   return PageBlock("headline",
     { { "headline", ErrorHeadline(report) }, { "typical", TypicalTile(report, sorted) },
       { "triangles", TrianglesTile(report) },
-      { "kept", labels.Before.empty() ? ComponentsTile(report, specks) : LabelsTile(labels) } });
+      { "kept",
+        labels.Before.empty() ? ComponentsTile(report, specks) : LabelsTile(report, labels) } });
 }
 
 std::string SpeckHint(const SpeckFigures& specks)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlainText.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace bonedecimate
@@ -72,5 +73,12 @@ std::string PlainText(std::string_view text)
     text.remove_prefix(length > 0 ? length : 1);
   }
   return plain;
+}
+
+std::size_t NumberOfCharacters(std::string_view text)
+{
+  const std::string plain = PlainText(text);
+  return static_cast<std::size_t>(std::count_if(plain.begin(), plain.end(),
+    [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 }

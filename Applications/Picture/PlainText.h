@@ -21,6 +21,9 @@ std::size_t LengthOfPlainCharacter(std::string_view text);
 
 /// Valid UTF-8 in which each other byte is a question mark.
 std::string PlainText(std::string_view text);
+
+/// The code points of that text.
+std::size_t NumberOfCharacters(std::string_view text);
 }
 
 #endif

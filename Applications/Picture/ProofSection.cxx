@@ -34,7 +34,7 @@ std::string ToleranceText(const ReportFields& report)
   constexpr std::size_t readable = 8; // characters; those of presets have up to 17
   const std::string exact = report.Text("proof.tolerance");
   const std::string number =
-    exact.size() > readable ? BoundText(report.Number("proof.tolerance").value_or(0.0)) : exact;
+    exact.size() > readable ? MeasuredText(report.Number("proof.tolerance").value_or(0.0)) : exact;
   const std::string length = hasLength ? number + " mm" : "";
   const std::string points = array.empty() ? "" : "the tolerance of each point (" + array + ")";
   return length + (length.empty() || points.empty() ? "" : " and ") + points;
@@ -163,13 +163,12 @@ std::string ReasonWithoutProof(const ReportFields& report)
 {
   const std::string error = report.Text("options.MaximumError");
   const std::string preset = report.Text("options.ErrorPreset");
-  const bool wantsBound = (!error.empty() && error != "0") ||
-    (!preset.empty() && preset != "None") || !report.Text("options.ToleranceArrayName").empty() ||
-    report.Number("smoothing.bound").value_or(0.0) > 0.0;
-  return !wantsBound ? "no largest error was requested"
-    : report.Text("options.ProveResult") == "on"
-    ? "mode " + report.Text("options.Mode") + " proves no largest error"
-    : "the proof was switched off";
+  const bool hasError = (!error.empty() && error != "0") || (!preset.empty() && preset != "None") ||
+    !report.Text("options.ToleranceArrayName").empty();
+  const bool hasBound = hasError || report.Number("smoothing.bound").value_or(0.0) > 0.0;
+  return hasBound && report.Text("options.ProveResult") != "on" ? "the proof was switched off"
+    : hasError ? "mode " + report.Text("options.Mode") + " proves no largest error"
+               : "no largest error was requested";
 }
 
 //------------------------------------------------------------------------------

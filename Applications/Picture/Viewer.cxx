@@ -263,8 +263,8 @@ private:
         std::lround(ColorDigits * color[2]) });
     }
     const double largest = std::min(this->Distances.Largest, this->Distances.Range);
-    const double threshold =
-      this->Subject.Threshold > 0.0 ? this->Subject.Threshold : FirstThreshold * largest;
+    const bool isExceeded = this->Subject.Threshold > 0.0 && this->Subject.Threshold < largest;
+    const double threshold = isExceeded ? this->Subject.Threshold : FirstThreshold * largest;
     const double step = (Colors - 1) * std::min(1.0, threshold / this->Distances.Range);
     return { { "range", this->Distances.Range }, { "isCapped", this->IsCapped() },
       { "threshold", static_cast<int>(step) }, { "colors", colors } };

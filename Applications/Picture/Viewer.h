@@ -37,7 +37,8 @@ struct ViewerSubject
   ViewerSurface Before;
   /// At least one, from coarse to fine. Labels are those of the last.
   std::vector<ViewerSurface> Levels;
-  /// mm; smaller distances have no color at first. 0: four fifths of the largest one.
+  /// mm; smaller distances have no color at first. 0, or one that nothing exceeds: four fifths of
+  /// the largest distance.
   double Threshold = 0.0;
   std::array<std::string, 2> Names{ "Before",
     "After" };                    ///< What captions call Before and the levels.

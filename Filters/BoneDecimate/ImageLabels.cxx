@@ -4,6 +4,7 @@
 
 #include "LabelMapArrays.h"
 #include "Labels/ModelGrid/ModelGridChoice.h"
+#include "NamedArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -128,11 +129,15 @@ LabelImage ImageOf(const Scalar* labels, const VoxelGrid& grid)
   }
 }
 
-std::string ProblemOf(vtkDataArray* array, vtkIdType voxels)
+std::string ProblemOf(vtkImageData* image, vtkDataArray* array, vtkIdType voxels)
 {
   if (!array)
   {
-    return "the image has no labels: neither active scalars nor the array that was chosen";
+    return "the image has no labels: neither active scalars nor the array that was chosen (of "
+           "points "
+           "there are: " +
+      ListOfArrays(image->GetPointData()) + "; of cells: " + ListOfArrays(image->GetCellData()) +
+      ")";
   }
   const std::string name = array->GetName() ? array->GetName() : "without a name";
   if (array->GetNumberOfComponents() != 1)
@@ -157,7 +162,7 @@ ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int associ
   ImageLabels result;
   const bool ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   VoxelGrid grid = GridOf(image, ofCells);
-  result.Problem = ProblemOf(array, static_cast<vtkIdType>(grid.NumberOfVoxels()));
+  result.Problem = ProblemOf(image, array, static_cast<vtkIdType>(grid.NumberOfVoxels()));
   if (result.Problem.empty())
   {
     result.Problem = ReadLayers(image, ofCells, grid);
@@ -178,12 +183,29 @@ ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int associ
 }
 
 //------------------------------------------------------------------------------
+vtkDataArray* OnlyArray(vtkImageData* image, vtkInformation* choice, int& association)
+{
+  const char* const name = choice ? choice->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  vtkPointData* const points = image->GetPointData();
+  vtkCellData* const cells = image->GetCellData();
+  if ((name && *name != '\0') || points->GetNumberOfArrays() + cells->GetNumberOfArrays() != 1)
+  {
+    return nullptr;
+  }
+  const bool isOfPoints = points->GetNumberOfArrays() == 1;
+  association =
+    isOfPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  return isOfPoints ? points->GetArray(0) : cells->GetArray(0);
+}
+
 ImageLabels ReadActiveLabels(vtkImageData* image)
 {
-  vtkDataArray* ofPoints = image->GetPointData()->GetScalars();
-  vtkDataArray* array = ofPoints ? ofPoints : image->GetCellData()->GetScalars();
-  return ReadImageLabels(image, array,
-    ofPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  vtkDataArray* array = image->GetPointData()->GetScalars();
+  int association =
+    array ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  array = array ? array : image->GetCellData()->GetScalars();
+  array = array ? array : OnlyArray(image, nullptr, association);
+  return ReadImageLabels(image, array, association);
 }
 
 bool AreSameGrids(const VoxelGrid& a, const VoxelGrid& b)

@@ -32,6 +32,12 @@ struct ImageLabels
 /// @param association One of vtkDataObject::FieldAssociations: points or cells.
 ImageLabels ReadImageLabels(vtkImageData* image, vtkDataArray* array, int association);
 
+/// The array of an image that has no active scalars but one array, for a filter that looked for the
+/// labels and found none. Null if there are several, or if the filter looks for a name.
+/// @param choice What it looks for; null: active scalars.  @param association Receives that of the
+///   array.
+vtkDataArray* OnlyArray(vtkImageData* image, vtkInformation* choice, int& association);
+
 struct ModelLabels
 {
   ImageLabels Labels;         ///< The model's map; without labels if no grid was found.
@@ -48,7 +54,7 @@ ModelLabels FindModelLabels(const ImageLabels& labels, const ModelGridRequest& r
 /// The same for the active scalars of an image; null if no grid was found. Field data is passed.
 vtkSmartPointer<vtkImageData> MakeModelImage(vtkImageData* image, const ModelLabels& model);
 
-/// The active scalars of the points, or else of the cells.
+/// The active scalars of the points, or else of the cells, or else the only array.
 ImageLabels ReadActiveLabels(vtkImageData* image);
 
 /// Whether all voxels have the same centers, up to rounding.

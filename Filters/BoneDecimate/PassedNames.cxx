@@ -65,6 +65,13 @@ std::vector<std::string> ArrayWarnings(vtkPolyData* input, const Options& option
   const std::set<std::string> own = OwnPointArrays(options);
   std::vector<std::string> sentences = SeamWarnings(
     options.PassArrays && options.MergePoints ? ArraysWithSeams(input) : std::set<std::string>());
+  constexpr std::size_t ofResult = 4;
+  constexpr std::size_t ofInput = 2;
+  if (own.size() < ofResult || OwnInputArrays(options).size() < ofInput)
+  {
+    sentences.emplace_back(
+      "two arrays that the run makes have the same name, so one of them is missing");
+  }
   vtkPointData* data = input->GetPointData();
   for (int i = 0; options.PassArrays && i < data->GetNumberOfArrays(); ++i)
   {

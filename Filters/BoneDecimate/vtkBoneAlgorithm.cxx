@@ -4,8 +4,25 @@
 
 #include "RejectedValues.h"
 
+#include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+namespace
+{
+/// Also of field data, which VTK passes from the input: it may prove something of another surface.
+void EmptyOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkDataObject* const output = vtkDataObject::GetData(outputs, port))
+    {
+      output->Initialize();
+    }
+  }
+}
+}
 
 vtkBoneAlgorithm::vtkBoneAlgorithm()
   : Values(std::make_unique<bonedecimate::RejectedValues>())
@@ -31,6 +48,22 @@ bool vtkBoneAlgorithm::ReportRejectedValues()
 }
 
 //------------------------------------------------------------------------------
+/// The time of the pipeline is that of the last update that was begun, by this filter or one after
+/// it.
+bool vtkBoneAlgorithm::IsOutdated() const
+{
+  auto* const filter = const_cast<vtkBoneAlgorithm*>(this);
+  auto* const pipeline = vtkDemandDrivenPipeline::SafeDownCast(filter->GetExecutive());
+  return pipeline != nullptr && pipeline->GetPipelineMTime() > this->TimeOfRun;
+}
+
+unsigned long vtkBoneAlgorithm::GetErrorCode()
+{
+  constexpr unsigned long inputFailed = INPUT_FAILED;
+  return this->IsOutdated() ? inputFailed : this->Superclass::GetErrorCode();
+}
+
+//------------------------------------------------------------------------------
 /// The error code is not a property: setting it does not modify the filter.
 vtkTypeBool vtkBoneAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -39,11 +72,14 @@ vtkTypeBool vtkBoneAlgorithm::ProcessRequest(
   if (isRun)
   {
     this->ErrorCode = 0;
+    this->TimeOfRun =
+      vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive())->GetPipelineMTime();
   }
   const vtkTypeBool isDone = this->Superclass::ProcessRequest(request, inputs, outputs);
   if (isRun && isDone == 0)
   {
     this->ErrorCode = this->Values->AreThere() ? REJECTED_VALUE : REJECTED_RUN;
+    EmptyOutputs(outputs);
   }
   return isDone;
 }

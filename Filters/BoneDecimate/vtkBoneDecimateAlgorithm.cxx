@@ -149,24 +149,31 @@ int vtkBoneDecimateAlgorithm::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+/// Before the first run, and after an update that did not get here, a run without figures.
+const vtkBoneDecimateAlgorithm::RunState& vtkBoneDecimateAlgorithm::Last() const
+{
+  static const RunState none;
+  return this->IsOutdated() ? none : *this->State;
+}
+
 int vtkBoneDecimateAlgorithm::GetStopReason() const
 {
-  return static_cast<int>(this->State->Report.Stop);
+  return static_cast<int>(this->Last().Report.Stop);
 }
 
 std::string vtkBoneDecimateAlgorithm::GetStopReasonAsString() const
 {
-  return bonedecimate::StopReasonSentence(this->State->Report.Stop);
+  return bonedecimate::StopReasonSentence(this->Last().Report.Stop);
 }
 
 double vtkBoneDecimateAlgorithm::GetProvedError() const
 {
-  return bonedecimate::ProvedError(this->State->Report);
+  return bonedecimate::ProvedError(this->Last().Report);
 }
 
 int vtkBoneDecimateAlgorithm::GetProofStatus() const
 {
-  const bonedecimate::ErrorProof& proof = this->State->Report.Proof;
+  const bonedecimate::ErrorProof& proof = this->Last().Report.Proof;
   return proof.WasMade || proof.Status == bonedecimate::ProofStatus::Aborted
     ? static_cast<int>(proof.Status)
     : NO_PROOF;
@@ -175,65 +182,65 @@ int vtkBoneDecimateAlgorithm::GetProofStatus() const
 std::string vtkBoneDecimateAlgorithm::GetProofStatusAsString() const
 {
   const int status = this->GetProofStatus();
-  return status == NO_PROOF && !this->State->Report.Proof.WasMade
+  return status == NO_PROOF && !this->Last().Report.Proof.WasMade
     ? "no_proof"
     : bonedecimate::ProofStatusWord(static_cast<bonedecimate::ProofStatus>(status));
 }
 
 double vtkBoneDecimateAlgorithm::GetMeasuredError() const
 {
-  return bonedecimate::MeasuredError(this->State->Report);
+  return bonedecimate::MeasuredError(this->Last().Report);
 }
 
 vtkIdType vtkBoneDecimateAlgorithm::GetNumberOfInputTriangles() const
 {
-  return static_cast<vtkIdType>(this->State->Report.Input.Faces);
+  return static_cast<vtkIdType>(this->Last().Report.Input.Faces);
 }
 
 vtkIdType vtkBoneDecimateAlgorithm::GetNumberOfOutputTriangles() const
 {
-  return static_cast<vtkIdType>(this->State->Report.Output.Faces);
+  return static_cast<vtkIdType>(this->Last().Report.Output.Faces);
 }
 
 vtkIdType vtkBoneDecimateAlgorithm::GetNumberOfRejectedEdits() const
 {
-  return static_cast<vtkIdType>(bonedecimate::RejectedEdits(this->State->Report));
+  return static_cast<vtkIdType>(bonedecimate::RejectedEdits(this->Last().Report));
 }
 
 vtkIdType vtkBoneDecimateAlgorithm::GetNumberOfRejectedEdits(const std::string& reason) const
 {
-  return static_cast<vtkIdType>(bonedecimate::RejectedEdits(this->State->Report, reason));
+  return static_cast<vtkIdType>(bonedecimate::RejectedEdits(this->Last().Report, reason));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkBoneDecimateAlgorithm::GetReportAsJson() const
 {
-  return bonedecimate::ReportJson(this->State->Entries.All());
+  return bonedecimate::ReportJson(this->Last().Entries.All());
 }
 
 int vtkBoneDecimateAlgorithm::GetNumberOfReportEntries() const
 {
-  return this->State->Entries.Count();
+  return this->Last().Entries.Count();
 }
 
 std::string vtkBoneDecimateAlgorithm::GetReportEntryName(int entry) const
 {
-  return this->State->Entries.Name(entry);
+  return this->Last().Entries.Name(entry);
 }
 
 std::string vtkBoneDecimateAlgorithm::GetReportEntryUnit(const std::string& name) const
 {
-  return this->State->Entries.Unit(name);
+  return this->Last().Entries.Unit(name);
 }
 
 double vtkBoneDecimateAlgorithm::GetReportValue(const std::string& name) const
 {
-  return this->State->Entries.Value(name);
+  return this->Last().Entries.Value(name);
 }
 
 std::string vtkBoneDecimateAlgorithm::GetReportText(const std::string& name) const
 {
-  return this->State->Entries.Text(name);
+  return this->Last().Entries.Text(name);
 }
 
 //------------------------------------------------------------------------------

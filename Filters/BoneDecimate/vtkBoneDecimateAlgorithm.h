@@ -85,7 +85,8 @@ public:
   ///@}
 
   /// Why the last run ended: one of StopReasons; NOT_RUN before the first update. This and all
-  /// figures of the report are again those before the first update after an update that failed.
+  /// figures of the report are again those before the first update after an update that failed, in
+  /// this filter or before it.
   int GetStopReason() const;
 
   /// Why the last run ended, as a sentence.
@@ -197,6 +198,8 @@ protected:
 private:
   vtkBoneDecimateAlgorithm(const vtkBoneDecimateAlgorithm&) = delete;
   void operator=(const vtkBoneDecimateAlgorithm&) = delete;
+
+  const RunState& Last() const;
 
   vtkTypeInt64 Label = 0;
   int LabelMapPort = -1;

@@ -172,6 +172,20 @@ int vtkBoneErrorSearch::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+double vtkBoneErrorSearch::GetSmallestError() const
+{
+  return this->IsOutdated() ? std::numeric_limits<double>::quiet_NaN() : this->SmallestError;
+}
+
+//------------------------------------------------------------------------------
+void vtkBoneErrorSearch::ForgetReport()
+{
+  this->Superclass::ForgetReport();
+  this->SmallestError = std::numeric_limits<double>::quiet_NaN();
+  this->ErrorTriedInVain = 0.0;
+}
+
+//------------------------------------------------------------------------------
 vtkTable* vtkBoneErrorSearch::GetTrials()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));

@@ -80,9 +80,10 @@ public:
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
 
   /**
-   * The smallest error that is proved, mm; NaN if no run had so few triangles.
+   * The smallest error that is proved, mm; NaN if no run had so few triangles, and after an update
+   * that failed.
    */
-  double GetSmallestError() const { return this->SmallestError; }
+  double GetSmallestError() const;
 
   /**
    * The largest error below it with which no run had so few triangles, mm; 0 if there is none.
@@ -103,6 +104,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void ForgetReport() override;
 
 private:
   vtkBoneErrorSearch(const vtkBoneErrorSearch&) = delete;

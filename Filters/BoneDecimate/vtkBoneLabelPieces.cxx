@@ -164,6 +164,8 @@ int vtkBoneLabelPieces::RequestData(vtkInformation* vtkNotUsed(request),
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = this->GetInputArrayToProcess(0, image, association);
+  array =
+    array ? array : bonedecimate::OnlyArray(image, this->GetInputArrayInformation(0), association);
   const bonedecimate::ImageLabels labels = bonedecimate::ReadImageLabels(image, array, association);
   if (internal.Rejected.Report(this))
   {

@@ -12,6 +12,7 @@
 #include "Run/Output/ListLeftOut.h"
 #include "Run/Report/CertificateTable.h"
 #include "Run/Report/ReportJson.h"
+#include "Run/Report/SizeText.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDoubleArray.h"
@@ -140,59 +141,66 @@ void vtkBoneSurfaceDistance::SetNumberOfThreads(int threads)
 }
 
 //------------------------------------------------------------------------------
+/// Before the first run, and after an update that did not get here, a run without figures.
+const vtkBoneSurfaceDistance::Internals& vtkBoneSurfaceDistance::Last() const
+{
+  static const Internals none;
+  return this->IsOutdated() ? none : *this->Internal;
+}
+
 int vtkBoneSurfaceDistance::GetStatus() const
 {
-  return static_cast<int>(this->Internal->Result.Proof);
+  return static_cast<int>(this->Last().Result.Proof);
 }
 
 std::string vtkBoneSurfaceDistance::GetStatusAsString() const
 {
-  return bonedecimate::ProofStatusWord(this->Internal->Result.Proof);
+  return bonedecimate::ProofStatusWord(this->Last().Result.Proof);
 }
 
 double vtkBoneSurfaceDistance::GetLowerBound() const
 {
-  return this->Internal->LowerBound;
+  return this->Last().LowerBound;
 }
 
 double vtkBoneSurfaceDistance::GetUpperBound() const
 {
-  return this->Internal->UpperBound;
+  return this->Last().UpperBound;
 }
 
 bool vtkBoneSurfaceDistance::GetWasStopped() const
 {
-  return this->Internal->Result.Status == bonedecimate::CertificateStatus::Aborted;
+  return this->Last().Result.Status == bonedecimate::CertificateStatus::Aborted;
 }
 
 std::string vtkBoneSurfaceDistance::GetReportAsJson() const
 {
-  return bonedecimate::ReportJson(this->Internal->Entries.All());
+  return bonedecimate::ReportJson(this->Last().Entries.All());
 }
 
 int vtkBoneSurfaceDistance::GetNumberOfReportEntries() const
 {
-  return this->Internal->Entries.Count();
+  return this->Last().Entries.Count();
 }
 
 std::string vtkBoneSurfaceDistance::GetReportEntryName(int entry) const
 {
-  return this->Internal->Entries.Name(entry);
+  return this->Last().Entries.Name(entry);
 }
 
 std::string vtkBoneSurfaceDistance::GetReportEntryUnit(const std::string& name) const
 {
-  return this->Internal->Entries.Unit(name);
+  return this->Last().Entries.Unit(name);
 }
 
 double vtkBoneSurfaceDistance::GetReportValue(const std::string& name) const
 {
-  return this->Internal->Entries.Value(name);
+  return this->Last().Entries.Value(name);
 }
 
 std::string vtkBoneSurfaceDistance::GetReportText(const std::string& name) const
 {
-  return this->Internal->Entries.Text(name);
+  return this->Last().Entries.Text(name);
 }
 
 //------------------------------------------------------------------------------
@@ -267,6 +275,12 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
     {
       vtkWarningMacro(<< name << warning);
     }
+  }
+  if (const std::string warning =
+        bonedecimate::UnitsWarning(reference->GetLength(), result->GetLength());
+      !warning.empty())
+  {
+    vtkWarningMacro(<< warning);
   }
   bonedecimate::CertificateOptions& options = this->Internal->Options;
   options.TightBounds = this->TightBounds;

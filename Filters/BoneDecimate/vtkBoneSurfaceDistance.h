@@ -241,6 +241,7 @@ private:
 
   struct Internals;
 
+  const Internals& Last() const;
   bool Compare(vtkPolyData* reference, vtkPolyData* result);
   bool Accept(int status);
   bool TakeTolerances(vtkPolyData* reference);

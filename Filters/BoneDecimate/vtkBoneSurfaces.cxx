@@ -64,8 +64,6 @@ vtkStandardNewMacro(vtkBoneSurfaces);
 
 namespace
 {
-constexpr std::size_t UnusualNumberOfLabels = 1000;
-
 /// Labels that no voxel has: one that has voxels is closed, or open at the end of the image.
 std::vector<std::int64_t> LabelsWithoutTriangles(const bonedecimate::LabelSurfaces& surfaces)
 {
@@ -287,6 +285,8 @@ bool vtkBoneSurfaces::Extract(
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = this->GetInputArrayToProcess(0, image, association);
+  array =
+    array ? array : bonedecimate::OnlyArray(image, this->GetInputArrayInformation(0), association);
   bonedecimate::ImageLabels labels = bonedecimate::ReadImageLabels(image, array, association);
   this->Internal->ModelGridFound.clear();
   if (labels.Problem.empty())
@@ -310,11 +310,6 @@ bool vtkBoneSurfaces::Extract(
   {
     vtkErrorMacro(<< bonedecimate::LabelSurfaceMessage(surfaces.Status));
     return false;
-  }
-  if (this->Internal->Labels.empty() && surfaces.Source.Values.size() > UnusualNumberOfLabels)
-  {
-    vtkWarningMacro(<< "the image has " << surfaces.Source.Values.size()
-                    << " different values; gray values have to be segmented first");
   }
   if (!this->Internal->Labels.empty())
   {

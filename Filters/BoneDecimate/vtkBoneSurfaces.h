@@ -25,8 +25,8 @@
  *   LabelNames and LabelColors of an image that has a LabelValues of its own are brought into this
  *   order. All other field data passes.
  *
- * SetInputArrayToProcess chooses the labels, by default the active scalars of points or else of
- * cells; with those of cells, the voxels are the cells.
+ * SetInputArrayToProcess chooses the labels, by default the active scalars of points, or else of
+ * cells, or else the only array; with those of cells, the voxels are the cells.
  *
  * The image is always processed as a whole; one that comes in pieces is an error. If several pieces
  * of the output are requested, as on several processes, each has an equal part of the triangles,

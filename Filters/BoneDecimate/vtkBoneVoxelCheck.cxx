@@ -63,75 +63,82 @@ void vtkBoneVoxelCheck::SetNumberOfThreads(int threads)
 }
 
 //------------------------------------------------------------------------------
+/// Before the first run, and after an update that did not get here, a run without figures.
+const vtkBoneVoxelCheck::Internals& vtkBoneVoxelCheck::Last() const
+{
+  static const Internals none;
+  return this->IsOutdated() ? none : *this->Internal;
+}
+
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfComparedVoxels() const
 {
-  return this->Internal->Changes.Compared;
+  return this->Last().Changes.Compared;
 }
 
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfChangedVoxels() const
 {
-  return this->Internal->Changes.Changed;
+  return this->Last().Changes.Changed;
 }
 
 std::string vtkBoneVoxelCheck::GetModelGridFound() const
 {
-  return this->Internal->ModelGridFound;
+  return this->Last().ModelGridFound;
 }
 
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfComparedImageVoxels() const
 {
-  return this->Internal->ImageChanges.Compared;
+  return this->Last().ImageChanges.Compared;
 }
 
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfChangedImageVoxels() const
 {
-  return this->Internal->ImageChanges.Changed;
+  return this->Last().ImageChanges.Changed;
 }
 
 void vtkBoneVoxelCheck::GetFirstChangedVoxel(int voxel[3]) const
 {
-  const std::array<std::int64_t, 3>& first = this->Internal->Changes.FirstChanged;
+  const std::array<std::int64_t, 3>& first = this->Last().Changes.FirstChanged;
   std::transform(
     first.begin(), first.end(), voxel, [](std::int64_t i) { return static_cast<int>(i); });
 }
 
 int vtkBoneVoxelCheck::GetNumberOfLabels() const
 {
-  return static_cast<int>(this->Internal->Values.size());
+  return static_cast<int>(this->Last().Values.size());
 }
 
 vtkTypeInt64 vtkBoneVoxelCheck::GetLabelValue(int index) const
 {
   return index >= 0 && index < this->GetNumberOfLabels()
-    ? this->Internal->Values[static_cast<std::size_t>(index)]
+    ? this->Last().Values[static_cast<std::size_t>(index)]
     : 0;
 }
 
 int vtkBoneVoxelCheck::GetNumberOfLabelsLeftOut() const
 {
-  return static_cast<int>(this->Internal->LeftOut.size());
+  return static_cast<int>(this->Last().LeftOut.size());
 }
 
 vtkTypeInt64 vtkBoneVoxelCheck::GetLabelLeftOut(int index) const
 {
   return index >= 0 && index < this->GetNumberOfLabelsLeftOut()
-    ? this->Internal->LeftOut[static_cast<std::size_t>(index)]
+    ? this->Last().LeftOut[static_cast<std::size_t>(index)]
     : 0;
 }
 
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfVoxels(int index) const
 {
-  return this->Internal->Of(index).Voxels;
+  return this->Last().Of(index).Voxels;
 }
 
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfLostVoxels(int index) const
 {
-  return this->Internal->Of(index).Lost;
+  return this->Last().Of(index).Lost;
 }
 
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfGainedVoxels(int index) const
 {
-  return this->Internal->Of(index).Gained;
+  return this->Last().Of(index).Gained;
 }
 
 //------------------------------------------------------------------------------
@@ -216,6 +223,8 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = this->GetInputArrayToProcess(0, image, association);
+  array =
+    array ? array : bonedecimate::OnlyArray(image, this->GetInputArrayInformation(0), association);
   const bonedecimate::ImageLabels ofImage =
     bonedecimate::ReadImageLabels(image, array, association);
   if (!ofImage.Problem.empty())

@@ -151,6 +151,7 @@ private:
 
   struct Internals;
 
+  const Internals& Last() const;
   std::string FindIneffective(vtkTypeInt64 background) const;
   std::string ChooseLabel(
     const std::vector<std::int64_t>& inImage, bonedecimate::LabelMapSource& source) const;

@@ -40,6 +40,10 @@ class Batch(ApplicationTest):
         write(torus(), self.bones / "b.stl")
         write(sphere(), self.bones / "a.ply")
 
+    def run_program(self, *words, **keywords):
+        self.completed = super().run_program(*words, **keywords)
+        return self.completed
+
     def run_batch(self, *words):
         return self.succeed(*words, *UNMEASURED)
 
@@ -52,7 +56,7 @@ class Batch(ApplicationTest):
 
     def kept(self):
         """Those that an earlier run had finished."""
-        return {name for name, row in self.rows().items() if row["message"] == "by an earlier run; --force does it again"}
+        return set(re.findall(r"(?m)^(\S+) .* by an earlier run; --force does it again$", self.completed.stdout))
 
     def test_folder_of_bones(self):
         (self.bones / "notes.txt").write_text("no bone")
@@ -72,26 +76,6 @@ class Batch(ApplicationTest):
         self.assertEqual(float(row["mean_input_to_output_mm"]), report["distance"]["input_to_output"]["mean"])
         self.assertRegex(text, r"(?m)^a +done")
         self.assertRegex(text, r"(?m)^b +done +1,920 +960")
-
-    def test_the_table_never_shows_a_measured_distance_above_its_bound(self):
-        for name in ("a", "b"):
-            write(torus(), self.path(f"{name}.ply"))
-        for words in (("--max-error", 0.2), ("--target-triangles", 700)):
-            said = self.succeed("a.ply", "b.ply", "out/", *words, "--force").stdout
-            page = self.path("out/summary.html").read_text(encoding="utf-8")
-            with open(self.path("out/summary.csv"), newline="", encoding="utf-8") as file:
-                rows = list(csv.DictReader(file))
-            for row in rows:
-                largest = max(float(row["max_output_to_input_mm"]), float(row["max_input_to_output_mm"]))
-                shown = [float(text) for text in re.search(rf"(?m)^{row['name']} .*$", said)[0].split() if re.fullmatch(r"\d+\.\d{4}", text)]
-                if row["proved_mm"]:
-                    bound = float(re.search(r"<strong>at most ([\d.]+) mm</strong>, proved<", page)[1])
-                    self.assertTrue(0 <= bound - float(row["proved_mm"]) < 2e-4)
-                    self.assertLessEqual(max(shown), bound)
-                else:
-                    measured = float(re.search(r"<strong>([\d.]+) mm or more</strong>, measured<", page)[1])
-                    self.assertTrue(0 <= largest - measured < 1e-4)
-                self.assertGreaterEqual(len(shown), 2)
 
     def test_every_file_of_a_folder_has_a_row_and_the_reason_why_nothing_was_done(self):
         (self.bones / "notes.txt").write_text("no bone")
@@ -151,7 +135,10 @@ class Batch(ApplicationTest):
         self.assertEqual(self.statuses(), {"below/b_left": "done"})
         self.run_batch("bones", "other", "--only", "below/*", "--target-triangles", 500)
         self.assertTrue(self.path("other/below/b_left.stl").exists())
-        self.fail_with(REJECTED, "bones", "none", "--only", "*.seg.nrrd", says="'bones' was rejected: no surface file in it has a name that matches --only '*.seg.nrrd'; volumes need")
+        self.fail_with(REJECTED, "bones", "none", "--only", "*.seg.nrrd",
+                       says="'bones' was rejected: no surface or volume in it has a name, or path below the folder, that matches --only '*.seg.nrrd'\n")
+        (self.bones / "ct.nrrd").write_bytes(b"NRRD0004\n")
+        self.fail_with(REJECTED, "bones", "none", "--only", "*.nrrd", says="matches --only '*.nrrd'; volumes need --iso HU or --segments\n")
         self.fail_with(USAGE, "bones/a.ply", "a.ply", "--only", "a*", says="--only")
 
     def test_requested_work_that_fails_ends_with_its_code(self):
@@ -270,7 +257,8 @@ class Batch(ApplicationTest):
         self.assertEqual(self.kept(), set())
         self.assertEqual(self.rows()["a"]["bound_mm"], "")
         self.path("out/a.ply").unlink()  # nothing to lose
-        self.fail_with(USAGE, "bones", "out", *UNMEASURED, "--max-error", 0.5, says="1 result of other options, the first is 'b'")
+        self.fail_with(USAGE, "bones", "out", *UNMEASURED, "--max-error", 0.5, says="1 result of other options, the first is 'b' (")
+        self.assertIn("another folder keeps them, --force does all chosen inputs again\n", self.completed.stderr)
 
     def test_the_table_keeps_results_of_other_inputs(self):
         (self.bones / "z.obj").write_text("")

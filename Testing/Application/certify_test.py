@@ -206,7 +206,7 @@ class CertifyUnits(ApplicationTest):
         write(torus(), self.path("bone.ply"))
         write(scaled(torus(), 0.001), self.path("m.ply"))
         completed = self.succeed("certify", "bone.ply", "m.ply")
-        self.assertIn("warning: the diagonal of RESULT is 0.001 times that of REFERENCE: the files may have different units", completed.stdout)
+        self.assertIn("warning: the diagonal of the result is 0.001 times that of the reference: the surfaces may have different units", completed.stdout)
         write(scaled(torus(), 0.2), self.path("smaller.ply"))
         self.assertNotIn("units", self.succeed("certify", "bone.ply", "smaller.ply").stdout)
 
@@ -240,6 +240,7 @@ class CertifyFolders(ApplicationTest):
         completed = self.succeed("certify", "before", "after", "--tolerance", 0.3)
         self.assertIn("a_obj: 0.000000 to ", completed.stdout)
         self.assertIn("3 pairs: 3 proved\n", completed.stdout)
+        self.assertIn("3 pairs: 3 compared\n", self.succeed("certify", "before", "after").stdout)
 
     def test_quiet_prints_what_is_not_proved(self):
         completed = self.run_program("certify", "before", "after", "--tolerance", 0.2, "--quiet")
@@ -254,12 +255,19 @@ class CertifyFolders(ApplicationTest):
         self.assertIn("left/b: ", completed.stdout)
         self.assertIn("problem", self.report("c.json")[0])
 
+    def test_files_of_equal_names_are_rejected_with_their_folders(self):
+        write(square(0.0), self.path("before/a.stl"))
+        write(square(float("nan")), self.path("after/a.stl"))
+        self.path("before/a.ply").unlink()
+        completed = self.run_program("certify", "before", "after")
+        self.assertIn("a: 'before/a.stl' and 'after/a.stl' were rejected: the result has a triangle with a point that is ", completed.stdout)
+
     def test_a_result_without_its_reference_is_rejected(self):
         write(square(1.0), self.path("after/c.ply"))
         completed = self.run_program("certify", "before", "after")
         self.assertEqual(completed.returncode, REJECTED)
         self.assertIn("c: 'before' has no surface of this name\n", completed.stdout)
-        self.assertIn("3 pairs: 2 proved, 1 not compared\n", completed.stdout)
+        self.assertIn("3 pairs: 2 compared, 1 not compared\n", completed.stdout)
         self.path("after/c.ply").unlink()
         write(square(1.0), self.path("after/a.ply"))
         completed = self.run_program("certify", "before", "after")

@@ -56,7 +56,9 @@ class Commands(ApplicationTest):
                 if entries.startswith("  --"):
                     self.assertIn(f"\n{title}:\n" + entries.split("\n\n")[0], whole)
         self.assertIn("a quarter more triangles", self.succeed("help", "modes").stdout)
-        self.assertIn("\n  2  the input was rejected", self.succeed("help", "exit-codes").stdout)
+        codes = self.succeed("help", "exit-codes").stdout
+        for says in ("2  the input was rejected", "4  interrupted, or beyond --time-limit; nothing of that input was", "5  out of memory, or beyond --memory-limit; "):
+            self.assertIn("\n  " + says, codes)
         self.assertIn("ends with 8 if none\nfailed", self.succeed("help", "batches").stdout)
         for command in COMMANDS:
             self.assertEqual(self.succeed("help", command).stdout, self.succeed(command, "--help").stdout)
@@ -171,7 +173,7 @@ class Commands(ApplicationTest):
         both = ("in.ply", "out.ply", "--auto-smooth", "on", "--smooth", 0.2)
         self.fail_with(USAGE, *both, says="--auto-smooth has no effect; it needs --smooth 0\n")
         said = self.succeed("smooth", "in.ply", "out.ply", "--measure", "off").stdout
-        self.assertIn("of a binary segmentation (--smooth smooths it anyway)\n", said)
+        self.assertIn("of one label of a segmentation (--smooth smooths it anyway)\n", said)
 
     def test_texts_end_with_success(self):
         for flag, says in (("--version", "bonedecimate "), ("--options-markdown", "| `Mode` |"), ("--help", "Usage:")):

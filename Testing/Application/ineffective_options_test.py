@@ -57,15 +57,15 @@ class IneffectiveOptions(ApplicationTest):
         self.assertIn("proved", self.succeed(*smooth, "--prove", "on").stdout)
         self.assertIn("proved          nothing: the proof was switched off\n", self.succeed(*smooth, "--prove", "off").stdout)
 
-    def test_no_largest_error_warns_where_nothing_else_ends_the_run(self):
-        says = "warning: --max-error 0 sets no largest error; the run ends at the default of --target-reduction, 0.9"
+    def test_no_largest_error_is_rejected_where_nothing_else_ends_the_run(self):
         run = ("in.ply", "out.vtp", "--max-error", 0, *UNMEASURED)
         for words in ((), ("--mode", "Thesis")):
-            self.assertIn(says, self.succeed(*run, *words).stdout)
-        self.assertIn(says.split(": ")[1], self.succeed(*run, "--explain").stdout)
+            self.fail_with(USAGE, *run, *words, says="--max-error 0 sets no largest error, and nothing else ends the run")
         for words in (("--target-reduction", 0.9), ("--target-triangles", 300), ("--region", "rest=0.2"), ("--preset", "half-voxel", "--voxel-size", 0.5)):
-            self.assertNotIn("sets no largest error", self.succeed(*run, *words).stdout)
-        self.assertNotIn("sets no largest error", self.succeed("in.ply", "out.vtp", *UNMEASURED).stdout)
+            self.succeed(*run, *words)
+
+    def test_dashes_of_word_processors_are_named(self):
+        self.fail_with(USAGE, "in.ply", "out.vtp", "\u2014max-error", 0.5, says="'\u2014max-error' begins with a dash; options begin with two hyphens")
 
     def test_of_slicer_count_if_they_do_not_have_their_default(self):
         run = ("--returnparameterfile", "r.txt", "in.ply", "out.ply", "--target-triangles", 900)

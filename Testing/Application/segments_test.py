@@ -280,6 +280,13 @@ class Segments(ApplicationTest):
         said = self.succeed(*words, "--segments", "1,7", "--format", "ply").stdout
         self.assertIn("not of this run: 'all.ply', 'label_1.stl', 'label_2.stl', 'label_7.stl'\n", said)
 
+    def test_folders_have_closed_surfaces_and_no_number_as_their_name(self):
+        words = ("--segments", "all", "--target-reduction", 0.3, "--measure", "off", "--format", ".stl")
+        self.assertNotIn("walls between labels", self.succeed("plain.mha", "closed", *words).stdout)
+        self.assertTrue(self.path("closed/label_7.stl").exists())
+        self.assertIn("walls between labels", self.succeed("plain.mha", "all.stl", *words[:-2]).stdout)
+        self.fail_with(USAGE, "plain.mha", "0.45", *words, says="'0.45' is no folder; an option takes its value behind its name")
+
     def test_a_batch_makes_a_folder_for_each_map_and_goes_on_where_it_ended(self):
         maps = self.path("maps")
         maps.mkdir()

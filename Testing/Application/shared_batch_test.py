@@ -152,10 +152,14 @@ class SharedBatch(ApplicationTest):
         self.path("out/0/00.stl").unlink()
         with open(self.path("out/1/01.stl"), "r+b") as surface:
             surface.truncate(1000)
+        self.path("out/2/02.json").write_text('{"a":')
+        self.path("out/settings.json").write_text("{}")  # no report
         completed = self.run_program("summary", "out")
         self.assertEqual(completed.returncode, REJECTED)
         messages = {row["name"]: row["message"] for row in self.rows() if row["status"] == "failed"}
-        self.assertEqual(messages, {"0/00": "the surface '00.stl' is missing", "1/01": "the surface '01.stl' changed after the report"})
+        self.assertEqual(messages, {"0/00": "the surface '00.stl' is missing", "1/01": "the surface '01.stl' changed after the report",
+                                    "2/02": "the report '02.json' cannot be read"})
+        self.assertIn(f"{BONES} files: {BONES - 3} done, 3 failed; ", completed.stdout)
 
     def test_shards_divide_the_inputs_and_summary_has_all_of_them(self):
         self.end([self.start("--shard", f"{number}/3") for number in (1, 2)])

@@ -56,13 +56,15 @@ class SummaryAndReport(ApplicationTest):
         report = self.report()
         self.assertRegex(text, r"triangles +2,976 -> 900\n")
         self.assertRegex(text, r"components +2 of 2 kept\n")
+        size = float(re.search(r"size +([\d.]+) mm, the diagonal of the input\n", text)[1])
+        self.assertAlmostEqual(size, report["input"]["diagonal"], delta=0.06)
         self.assertIn(report["stop_sentence"], text)
         for direction, words in (("output_to_input", "result to input"), ("input_to_output", "input to result")):
             shown = float(re.search(r"max ([\d.]+)", text.split(words)[1])[1])
             self.assertTrue(0 <= report["distance"][direction]["max"] - shown < 1e-4)  # rounded down
         self.assertRegex(text, r"written +out.vtp\n")
         self.assertRegex(text, r"written +report.json\n")
-        self.assertLess(text.count("\n"), 12)
+        self.assertLess(text.count("\n"), 13)
 
     def test_parts_of_a_smoothed_surface_have_area_volume_and_thickness(self):
         write(surface_of(ball(), 1), self.path("ball.ply"))
@@ -84,7 +86,7 @@ class SummaryAndReport(ApplicationTest):
 
     def test_no_distances_where_none_are_measured(self):
         text = self.succeed("in.ply", "out.vtp", "--measure", "off", "--report", "report.json").stdout
-        self.assertNotIn(" mm", text)
+        self.assertNotIn(" mm", text.replace(" mm, the diagonal", ""))
         self.assertNotIn("distance", self.report())
 
     def test_number_or_error_alone_switches_the_default_reduction_off(self):

@@ -72,6 +72,17 @@ TEST(Arrays, HaveTheRequestedNames)
   ExpectArray(run.InputCopy(), "back", "mm");
 }
 
+TEST(Arrays, OfOneNameAreAWarning)
+{
+  FilterRun run(Bumps(3));
+  run->SetDistanceArrayName("d");
+  run.Output();
+  EXPECT_TRUE(run.SaidNothing());
+  run->SetErrorBoundArrayName("d");
+  run.Output();
+  EXPECT_EQ(run.Said("two arrays that the run makes have the same name"), 1);
+}
+
 TEST(Arrays, ErrorBoundsComeWithTheProofUnderTheirNames)
 {
   FilterRun run(Bumps(3));

@@ -311,6 +311,24 @@ TEST(BoneSurfaces, RejectImagesWithoutLabels)
   EXPECT_EQ(errorOf(ImageOf(EllipsoidLabels({ 5, 6, 1 })), true), "");
 }
 
+TEST(BoneSurfaces, AreThoseOfTheOnlyArrayIfNoneIsActive)
+{
+  const auto image = ImageOf(EllipsoidLabels({ 8, 7, 6 }));
+  const vtkIdType cells = Extracted(image)->GetNumberOfCells();
+  image->GetPointData()->GetScalars()->SetName("Labels");
+  image->GetPointData()->SetActiveScalars(nullptr);
+  EXPECT_EQ(Extracted(image)->GetNumberOfCells(), cells);
+  vtkNew<vtkBoneSurfaces> filter;
+  ErrorTexts errors(filter);
+  filter->SetInputData(image);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Other");
+  filter->Update();
+  ASSERT_EQ(errors.Texts.size(), 1U);
+  EXPECT_NE(
+    errors.Texts[0].find("of points there are: 'Labels'; of cells: none"), std::string::npos)
+    << errors.Texts[0];
+}
+
 TEST(BoneSurfaces, ExtractNothingOfALabelThatIsNotThere)
 {
   vtkNew<vtkPolyData> single;

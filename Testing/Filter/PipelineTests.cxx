@@ -5,14 +5,19 @@
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 
+#include "vtkBoneSurfaceDistance.h"
 #include "vtkFeatureEdges.h"
 #include "vtkFieldData.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
@@ -32,6 +37,99 @@ vtkMultiBlockDataSet* Blocks(FilterRun& run, int port)
   run->Update(port);
   return vtkMultiBlockDataSet::SafeDownCast(run->GetOutputDataObject(port));
 }
+
+/// Fails when VTK requests information, or data.
+class Unreliable : public vtkPolyDataAlgorithm
+{
+public:
+  static Unreliable* New();
+  vtkTypeMacro(Unreliable, vtkPolyDataAlgorithm);
+
+  void FailAt(const std::string& request)
+  {
+    this->Request = request;
+    this->Modified();
+  }
+
+protected:
+  Unreliable() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override
+  {
+    return this->Request == "information" ? 0 : 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    const bool fails = this->Request == "data";
+    if (!fails)
+    {
+      vtkPolyData::GetData(outputs)->ShallowCopy(Bumps(3));
+    }
+    return fails ? 0 : 1;
+  }
+
+private:
+  std::string Request;
+};
+vtkStandardNewMacro(Unreliable);
+
+constexpr unsigned long InputFailed = vtkBoneAlgorithm::INPUT_FAILED;
+
+struct WarningsOff
+{
+  WarningsOff() { vtkObject::GlobalWarningDisplayOff(); }
+  ~WarningsOff() { vtkObject::SetGlobalWarningDisplay(this->Before); }
+
+  const int Before = vtkObject::GetGlobalWarningDisplay();
+};
+}
+
+TEST(Pipeline, HasNoProofAfterAnAlgorithmBeforeTheFilterFailed)
+{
+  vtkNew<Unreliable> source;
+  vtkNew<vtkBoneDecimate> decimate;
+  decimate->SetInputConnection(source->GetOutputPort());
+  decimate->SetMaximumError(0.2);
+  const WarningsOff off; // VTK reports the failure
+  for (const char* request : { "information", "", "data", "" })
+  {
+    source->FailAt(request);
+    decimate->Update();
+    const bool hasFailed = *request != '\0';
+    EXPECT_EQ(decimate->GetErrorCode(), hasFailed ? InputFailed : 0UL) << request;
+    EXPECT_EQ(decimate->GetProofStatusAsString(), hasFailed ? "no_proof" : "proved");
+    EXPECT_EQ(std::isnan(decimate->GetProvedError()), hasFailed);
+    EXPECT_EQ(std::isnan(decimate->GetReportValue("proof.upper")), hasFailed);
+  }
+}
+
+TEST(Pipeline, HasNoCertificateAfterAnAlgorithmBeforeTheFilterFailed)
+{
+  vtkNew<Unreliable> source;
+  vtkNew<vtkBoneSurfaceDistance> distance;
+  distance->SetInputConnection(0, source->GetOutputPort());
+  distance->SetInputData(1, Bumps(3));
+  distance->SetTolerance(0.2);
+  const WarningsOff off;
+  for (const char* request : { "information", "", "data", "" })
+  {
+    source->FailAt(request);
+    distance->Update();
+    const bool hasFailed = *request != '\0';
+    EXPECT_EQ(distance->GetErrorCode(), hasFailed ? InputFailed : 0UL) << request;
+    EXPECT_EQ(distance->GetStatus() == vtkBoneSurfaceDistance::PROVED, !hasFailed);
+    EXPECT_EQ(std::isnan(distance->GetUpperBound()), hasFailed);
+  }
+}
+
+TEST(Pipeline, HasNoReportOfTheInputInAnOutputThatFailed)
+{
+  FilterRun first(Bumps(3));
+  first->SetMaximumError(0.2);
+  FilterRun run(first.Output());
+  run->SetLabelArrayName("Nothing");
+  EXPECT_EQ(run.Output()->GetFieldData()->GetNumberOfArrays(), 0);
 }
 
 TEST(Pipeline, DoesNotRunAgainWithoutAChange)

@@ -84,6 +84,19 @@ TEST(MeasureDistances, OnPutsTheDistancesIntoTheReport)
   EXPECT_GT(run.Value("distance.input_to_output.max"), 0.0);
 }
 
+TEST(MaximumError, IsNotProvedInThesisMode)
+{
+  FilterRun run(Bumps(3));
+  run->SetModeToThesis();
+  run->SetMaximumError(0.5);
+  run.Output();
+  EXPECT_EQ(run->GetProofStatusAsString(), "no_proof");
+  EXPECT_EQ(run.Said("nothing is proved in Thesis mode: its largest error only limits the distance "
+                     "of new vertices"),
+    1)
+    << run.AllMessages();
+}
+
 TEST(MeasureDistances, OffInThesisLeavesThemOutButNotTheArrays)
 {
   FilterRun run(Bumps(2));

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -181,6 +182,21 @@ TEST(LabelSurfaceStatus, RejectsLabelsBeyond64BitsWithSign)
   LabelSurfaceOptions chosen;
   chosen.Labels = { 1 };
   EXPECT_EQ(ExtractLabelSurfaces(image, chosen).Status, LabelSurfaceStatus::Good);
+}
+
+TEST(LabelSurfaceStatus, RejectsGrayValuesUnlessLabelsAreChosen)
+{
+  std::vector<std::int16_t> values(MaxLabels + 2); // the first is that of the background
+  std::iota(values.begin(), values.end(), std::int16_t(0));
+  VoxelGrid grid;
+  grid.Dimensions = { static_cast<Index>(values.size()), 1, 1 };
+  const LabelImage image = MakeLabelImage(values.data(), grid);
+  EXPECT_EQ(ExtractLabelSurfaces(image, {}).Status, LabelSurfaceStatus::TooManyLabels);
+  LabelSurfaceOptions chosen;
+  chosen.Labels = { 1 };
+  EXPECT_EQ(ExtractLabelSurfaces(image, chosen).Status, LabelSurfaceStatus::Good);
+  values.back() = 0;
+  EXPECT_EQ(ExtractLabelSurfaces(image, {}).Status, LabelSurfaceStatus::Good);
 }
 
 TEST(LabelSurfaceStatus, HasASentenceForEachProblem)

@@ -6,6 +6,7 @@ import gc
 import os
 import subprocess
 import sys
+import tempfile
 import threading
 import unittest
 
@@ -14,6 +15,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkLogger, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 
 import specimens
 from bonedecimate import PreparedSurface, check_voxels, extract_surfaces, vtkBoneDecimate
@@ -138,6 +140,22 @@ class Pipeline(unittest.TestCase):
         self.assertEqual((decimate.GetErrorCode(), decimate.GetOutput().GetNumberOfPoints()), (vtkBoneDecimate.REJECTED_RUN, 0))
         self.assertEqual((decimate.GetProofStatus(), decimate.GetStopReason()), (vtkBoneDecimate.NO_PROOF, vtkBoneDecimate.NOT_RUN))
         self.assertTrue(np.isnan(decimate.GetProvedError()))
+
+    def test_forgets_the_report_if_an_algorithm_before_it_fails(self):
+        reader = vtkSTLReader()
+        reader.AddObserver("ErrorEvent", lambda *_: None)
+        decimate = vtkBoneDecimate()
+        decimate.SetMaximumError(0.3)
+        decimate.SetInputConnection(reader.GetOutputPort())
+        with tempfile.TemporaryDirectory() as folder:
+            writer = vtkSTLWriter()
+            writer.SetFileName(folder + "/torus.stl")
+            writer.SetInputData(specimens.torus(30, 20))
+            writer.Write()
+            for name, code, status in (("torus", 0, "proved"), ("missing", vtkBoneDecimate.INPUT_FAILED, "no_proof"), ("torus", 0, "proved")):
+                reader.SetFileName(f"{folder}/{name}.stl")
+                decimate.Update()
+                self.assertEqual((decimate.GetErrorCode(), decimate.GetProofStatusAsString()), (code, status))
 
     def test_passes_arrays_without_a_name(self):
         surface = specimens.torus(30, 20)

@@ -233,6 +233,9 @@ class Names(unittest.TestCase):
     def test_of_the_package_that_is_built_with_vtk_say_so(self):
         with self.assertRaisesRegex(ImportError, "vtkBoneVoxelCheck is in the package .* built with VTK.*check_voxels does the same"):
             from bonedecimate import vtkBoneVoxelCheck  # noqa: F401
+        for name, command in (("smallest_error", "tolerance"), ("error_curve", "curve"), ("vtkBoneErrorSearch", "tolerance")):
+            with self.assertRaisesRegex(ImportError, f"{name} is in the package .* built with VTK.* the program's bonedecimate {command} does"):
+                getattr(bonedecimate, name)
         with self.assertRaises(AttributeError):
             _ = bonedecimate.vtkBoneNonsense
 

@@ -160,7 +160,7 @@ class Surfaces(unittest.TestCase):
                 (ValueError, {"label_map": halves()[0]}), (TypeError, {"label_map": halves().astype(str)}),
                 (TypeError, {"label_map": halves().astype(complex)}), (ValueError, {"label_map": np.zeros((0, 3, 3), int)}),
                 (ValueError, {"label_map": np.full((1, 1, 1), 2**63, np.uint64)}),
-                (ValueError, {"spacing": (1, 1)}), (ValueError, {"spacing": (1, 0, 1)}), (ValueError, {"origin": (0, 0, np.inf)}),
+                (ValueError, {"spacing": (1, 1)}), (ValueError, {"spacing": 0.5}), (ValueError, {"origin": 0}), (ValueError, {"spacing": (1, 0, 1)}), (ValueError, {"origin": (0, 0, np.inf)}),
                 (ValueError, {"direction": np.ones((3, 3))}), (ValueError, {"axes": "yxz"}), (ValueError, {"labels": []}),
                 (TypeError, {"labels": [1.5]}), (ValueError, {"background": 2**63}), (ValueError, {"threads": -1}),
                 (TypeError, {"closed": "no"}), (ValueError, {"affine": np.eye(3)}), (ValueError, {"affine": np.zeros((4, 4))}),
@@ -169,12 +169,26 @@ class Surfaces(unittest.TestCase):
             with self.subTest(**arguments), self.assertRaises(error):
                 extract_surfaces(**{"label_map": halves(), **arguments})
 
+    def test_with_one_number_as_spacing_are_rejected(self):
+        with self.assertRaisesRegex(ValueError, "spacing has 3 numbers, not one"):
+            LabelMap(halves(), spacing=0.5)
+
+    def test_of_gray_values_need_chosen_labels(self):
+        gray = LabelMap(np.arange(11 * 11 * 11).reshape(11, 11, 11), axes="zyx")
+        for make in (extract_surfaces, bonedecimate.segments):
+            with self.assertRaisesRegex(ValueError, "more than 1,000 different values, which are no labels: gray values have to be segmented first"):
+                make(gray)
+        self.assertEqual(extract_surfaces(gray, labels=[700]).label_values.tolist(), [700, 0])
+        self.assertEqual(list(bonedecimate.segments(gray, choose=[700], target_reduction=0)), ["label_700"])
+
     def test_of_one_label_reject_arrays_that_do_not_fit(self):
         found = extract_surfaces(halves())
         with self.assertRaises(ValueError):
             extract_label(found.points, found.triangles, found.boundary_labels[1:], 2)
         with self.assertRaises(ValueError):
             extract_label(found.points[:-1], found.triangles, found.boundary_labels, 2)
+        with self.assertRaisesRegex(ValueError, "no triangle has the label 3; there are 0, 2, 7"):
+            extract_label(found.points, found.triangles, found.boundary_labels, 3)
 
 
 class Pieces(unittest.TestCase):

@@ -358,8 +358,8 @@ class LabelMaps(unittest.TestCase):
     def test_need_an_array(self):
         of_cells = pv.ImageData(dimensions=(3, 3, 3))
         of_cells.cell_data["labels"] = np.ones(8, np.uint8)
-        for image, name, problem in ((self.image(), "other", "no point array 'other'"), (pv.ImageData(dimensions=(3, 3, 3)), None, "has no labels"),
-                                     (of_cells, None, "these are cell data"), (of_cells, "labels", "these are cell data")):
+        for image, name, problem in ((self.image(), "other", "no point array 'other' .there are: 'segments'."), (pv.ImageData(dimensions=(3, 3, 3)), None, "has no labels"),
+                                     (of_cells, None, "these are cell data: 'labels'"), (of_cells, "labels", "these are cell data: 'labels'")):
             with self.assertRaisesRegex(ValueError, problem):
                 image.bone.surfaces(name)
 

@@ -15,7 +15,6 @@ import pyvista as pv
 
 import bonedecimate
 import pyvista_test  # its specimens
-from bonedecimate.report import number_text
 
 
 class Results(unittest.TestCase):
@@ -97,23 +96,61 @@ class Results(unittest.TestCase):
             with self.assertRaisesRegex(KeyError, "no entry 'proof.uper'; did you mean 'proof.upper'"):
                 report["proof.uper"]
             self.assertEqual(report.units["proof.upper"], "mm")
-            (line,) = [line for line in str(report).splitlines() if line.startswith("proof.upper ")]
-            self.assertEqual(line.split(), ["proof.upper", number_text(report["proof.upper"]), "mm"])
+            lines = str(report).splitlines()
+            self.assertEqual(lines[0].split(maxsplit=1), ["proof.sentence", report["proof.sentence"]])
+            (line,) = [line for line in lines if line.startswith("proof.upper ")]
+            self.assertEqual(line.split(), ["proof.upper", f"{report['proof.upper']:.6g}", "mm"])
             options = [name for name in report if name.startswith("options.")]
-            self.assertEqual(str(report).splitlines()[-1].split(), ["options.*", str(len(options)), "more"])
-            self.assertEqual(len(str(report).splitlines()), len(report) - len(options) + 1)
+            self.assertEqual(lines[-1].split(), ["options.*", str(len(options)), "more"])
+            filled = [name for name, value in report.items() if value != ""]
+            self.assertLess(len(filled), len(report))
+            self.assertEqual(len(lines), len([name for name in filled if name not in options]) + 1)
             rows = re.findall("<tr>", report._repr_html_())
-            self.assertEqual(len(rows), len(report))
+            self.assertEqual(len(rows), len(filled))
             self.assertEqual(pickle.loads(pickle.dumps(report)).units, report.units)
+
+    def test_of_meshes_without_a_report_or_its_proof_say_why(self):
+        mesh = pyvista_test.bone()
+        with self.assertRaisesRegex(KeyError, "this mesh has no report: no run made it"):
+            mesh.bone.report["proof.upper"]
+        small = mesh.bone.decimate(max_error=0.5)
+        small.points *= 1.01
+        with self.assertRaisesRegex(KeyError, "no entry 'proof.upper': nothing is proved of this surface: .* was changed afterwards"):
+            small.bone.report["proof.upper"]
 
     def test_plots_the_error_up_to_the_number_that_it_names(self):
         mesh = pyvista_test.bone()
         small = mesh.bone.decimate(max_error=0.5)
         with mock.patch.object(pv.PolyData, "plot", lambda self, **settings: settings):
             settings = mesh.bone.plot_error(small)
-        bound = float(re.match(r"at most (.*) mm, proved", settings["text"])[1])
+        bound = float(re.search(r"at most\n(.*) mm,\nproved", settings["scalar_bar_args"]["title"])[1])
         self.assertEqual(settings["clim"], (-bound, bound))
         self.assertTrue(0 <= bound - mesh.bone.certify(small).upper < 1e-4)
+
+    def test_plots_the_bar_of_colors_beside_the_surface(self):
+        mesh = pv.Cylinder(radius=12, height=40, direction=(0, 0, 1), resolution=60).triangulate().clean()
+        small = mesh.bone.decimate(max_error=0.5)
+        for size in ((700, 500), (400, 300)):
+            kept = {"window_size": size, "screenshot": True, "return_img": True, "show_axes": False}
+            whole = mesh.bone.plot_error(small, **kept)[..., :3].astype(int)
+            surface = mesh.bone.plot_error(small, **kept, show_scalar_bar=False)[..., :3].astype(int)
+            is_surface, is_bar = (surface != surface[0, 0]).any(axis=2), (whole != surface).any(axis=2)
+            self.assertGreater(is_bar.mean(), 0.01)
+            self.assertFalse((is_surface & is_bar).any())
+
+    def test_images_say_what_is_wrong_with_which_array(self):
+        image = pyvista_test.LabelMaps.image()
+        for name in ("decimate", "smooth", "certify"):
+            with self.assertRaisesRegex(AttributeError, f"no bone.{name}: first make its surfaces, image.bone.surfaces...bone.{name}"):
+                getattr(image.bone, name)
+        with self.assertRaisesRegex(AttributeError, "no bone.nonsense$"):
+            image.bone.nonsense
+        image.point_data["HU"] = np.arange(image.n_points) / 2
+        image.point_data["zeros"] = np.zeros(image.n_points, int)
+        for scalars, keywords, words in (("HU", {}, "whole numbers; some have a fraction"), ("zeros", {}, "the label map has no label"),
+                                         ("segments", {"labels": [9]}, "no voxel has label 9")):
+            with self.assertRaisesRegex(ValueError, f"^array '{scalars}': .*{words}"):
+                image.bone.surfaces(scalars, **keywords)
 
     def test_accessors_have_types(self):
         stub = (pathlib.Path(bonedecimate.__file__).parent / "pyvista_accessor.pyi").read_text(encoding="utf-8")

@@ -103,6 +103,26 @@ class SegmentsTest(unittest.TestCase):
         with self.assertWarnsRegex(UserWarning, "names has labels that no voxel has: 9"):
             segments(self.image, names={9: "femur"})
 
+    def test_names_may_be_keys_or_values(self):
+        for names in ({"background": 0, "femur": 1, "hip": np.int64(2)}, {0: "background", 1: "femur", 2: "hip"}):
+            found = segments(self.image, names=names, **ERROR)
+            self.assertEqual(([(each.name, each.label) for each in found.values()], found.empty), ([("femur", 1), ("hip", 2)], []))
+        for wrong in (["femur", "hip"], "femur", {"femur": "hip"}, {"1": "femur"}, {"femur": [1, 2]}, {1: 2}):
+            with self.assertRaisesRegex(TypeError, "names is a dict from labels to names, .2: 'femur'., or from names to labels, not "):
+                segments(self.image, names=wrong)
+        with self.assertRaisesRegex(ValueError, "two names for one label"):
+            segments(self.image, names={"femur": 1, "hip": 1})
+
+    def test_unknown_names_and_positions_of_voxels_are_told(self):
+        found = segments(self.image, names=NAMES, choose=[1, 2], **ERROR)
+        for name in ("femurs", 2):
+            with self.assertRaisesRegex(KeyError, f"is called '?{name}'?; there are femur_left, hip_left"):
+                found[name]
+        self.assertEqual((found.get("femurs"), "femurs" in found), (None, False))
+        for where in ({"spacing": (1, 1, 2)}, {"affine": AFFINE}, {"axes": "zyx", "spacing": (1, 1, 2)}):
+            with self.assertRaisesRegex(TypeError, f"segments takes no {', '.join(where)}: LabelMap.array, {list(where)[0]}=...."):
+                segments(labels(), **where)
+
     def test_maps_without_a_label_are_named(self):
         for make in (segments, bonedecimate.extract_surfaces):
             with self.assertRaisesRegex(ValueError, "no label: every voxel is background"):
@@ -114,9 +134,12 @@ class SegmentsTest(unittest.TestCase):
                 bonedecimate.extract_surfaces(LabelMap(labels(), axes="xyz"), labels=wrong)
 
     def test_structures_are_chosen_by_name_and_label(self):
-        for choice in (["hip_left"], [2], ["HIP_LEFT", "spleen"]):
+        for choice in (["hip_left"], [2], ["HIP_LEFT", "spleen"], "hip_left", 2):
             self.assertEqual(list(segments(self.folder / "masks", choose=choice, **ERROR)), ["hip_left"])
-        self.assertEqual(list(segments(self.image, names={1: "bone", 2: "bone"}, **ERROR)), ["bone", "bone_2"])
+        for choice in (None, "bone"):
+            with self.assertWarnsRegex(UserWarning, "labels 1 and 2 have the same name, 'bone'; that of 2 is 'bone_2' here"):
+                found = segments(self.image, names={1: "bone", 2: "bone"}, choose=choice, **ERROR)
+            self.assertEqual(list(found), ["bone", "bone_2"])
         with self.assertRaisesRegex(ValueError, "there is no structure 'rib'; there are femur_left, hip_left, spleen"):
             segments(self.folder / "masks", choose=["rib"])
 

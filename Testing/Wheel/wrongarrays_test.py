@@ -194,8 +194,8 @@ class Numbers(unittest.TestCase):
     def test_of_plots_and_switches_of_pyvista_are_honored_or_rejected(self):
         import pyvista as pv
         mesh = pv.Sphere(radius=40)
-        for value in (math.nan, math.inf, -1):
-            with self.assertRaisesRegex(ValueError, "^largest takes a number from 0 to 1e30 mm"):
+        for value in (math.nan, math.inf, -1, 0):
+            with self.assertRaisesRegex(ValueError, "^largest takes a number from 1e-09 to 1e30 mm"):
                 mesh.bone.plot_error(mesh, largest=value)
         for value in ("yes", 2, None):
             with self.assertRaisesRegex(TypeError, "with_input takes True or False"):

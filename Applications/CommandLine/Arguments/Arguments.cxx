@@ -161,7 +161,7 @@ void AddCommonFlags(CLI::App& app, Arguments& arguments)
   AddQuiet(app, arguments.Quiet);
   app.add_flag("--progress", arguments.ShowsProgress,
     WrappedHelp("Show the phase of the run and the time left, also where the error output is no "
-                "terminal: a line every 10 %."));
+                "terminal: a line every 10 %, of many bones one whenever a bone has ended."));
 }
 
 /// @throws Failure(ExitCode::Usage)
@@ -212,7 +212,10 @@ void AddBatchFlags(CLI::App& app, Arguments& arguments)
                   "matches this pattern, as of the shell: '*_seg.nii.gz'."))
     ->type_name("PATTERN");
   app
-    .add_option("--format", arguments.Format,
+    .add_option_function<std::string>(
+      "--format",
+      [&arguments](const std::string& extension)
+      { arguments.Format = extension.substr(extension[0] == '.' ? 1 : 0); },
       WrappedHelp("Outputs in a folder: their format by its extension; default that of each "
                   "input, vtp for volumes and segments."))
     ->type_name("EXT");

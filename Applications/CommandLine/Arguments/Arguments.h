@@ -118,6 +118,10 @@ bool IsBatch(const Arguments& arguments);
 /// Whether the extension is one that this program reads or writes.
 bool IsNamedLikeFile(std::string path);
 
+/// @throws Failure(ExitCode::Usage) if a new output folder would have a number as its name: the
+///   value of an option that is not there.
+void RequireFolderName(const std::string& output);
+
 /**
  * What the parser cannot see: extensions, files that would overwrite each other, options of the
  * other form.
@@ -131,9 +135,6 @@ std::vector<std::string> IneffectiveSentences(const Arguments& arguments);
 /// The files of a run of one bone: surfaces, report, page, heat map and picture; empty where one is
 /// not requested.
 std::vector<std::string> OutputsOf(const Arguments& arguments);
-
-/// What the run does although other options may have been meant, a sentence each.
-std::vector<std::string> OptionWarnings(const Arguments& arguments);
 
 /// Options as on a command line, without those that change no result.
 std::string OptionsText(const std::map<std::string, std::string>& given);

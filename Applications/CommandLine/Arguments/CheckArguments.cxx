@@ -128,17 +128,19 @@ void CheckBatch(const Arguments& arguments)
 {
   CheckFormat(arguments);
   std::error_code error;
-  RequireUsage(arguments.Inputs.size() == 1 || fs::exists(FilePath(arguments.Output), error) ||
-      !ParseFinite(arguments.Output),
-    "'" + arguments.Output +
-      "' is no folder; an option takes its value behind its name, for example --max-error " +
-      arguments.Output);
+  if (arguments.Inputs.size() > 1)
+  {
+    RequireFolderName(arguments.Output);
+  }
   RequireUsage(!fs::exists(FilePath(arguments.Output), error) ||
       fs::is_directory(FilePath(arguments.Output), error),
     "'" + arguments.Output + "' is a file; many bones need an output folder");
   RequireUsage(
     fs::is_directory(FilePath(arguments.Output), error) || !IsNamedLikeFile(arguments.Output),
-    "'" + arguments.Output + "' is named like a file; it would become an output folder");
+    "'" + arguments.Output + "' is named like a file; it would become an output folder" +
+      (arguments.Inputs.size() == 1
+          ? ": '" + arguments.Inputs[0] + "' has neither a DICOM series nor slices of one volume"
+          : ""));
   for (const std::string& input : arguments.Inputs)
   {
     RequireUsage(
@@ -162,6 +164,15 @@ std::vector<std::string> FilesOf(const Arguments& arguments)
   }
   return files;
 }
+}
+
+void RequireFolderName(const std::string& output)
+{
+  std::error_code error;
+  RequireUsage(fs::exists(FilePath(output), error) || !ParseFinite(output),
+    "'" + output +
+      "' is no folder; an option takes its value behind its name, for example --max-error " +
+      output);
 }
 
 bool IsNamedLikeFile(std::string path)
@@ -221,7 +232,8 @@ std::vector<std::string> OutputsOf(const Arguments& arguments)
   return outputs;
 }
 
-std::vector<std::string> OptionWarnings(const Arguments& arguments)
+/// An error of 0 is none. What ends the run must then not be the default of another option.
+void CheckZeroError(const Arguments& arguments)
 {
   const Options& options = arguments.Options;
   const OptionInfo& error = *FindOption("MaximumError");
@@ -229,14 +241,10 @@ std::vector<std::string> OptionWarnings(const Arguments& arguments)
   const bool isSet = arguments.Given.count(error.Flag) > 0 && !arguments.HasTags;
   const bool isLimited = options.ErrorPreset != ErrorPreset::NoPreset ||
     !options.ToleranceArrayName.empty() || !arguments.Regions.empty();
-  if (!isSet || options.MaximumError > 0.0 || options.TargetReductionIsExplicit ||
-    !options.EndsAtReduction(isLimited))
-  {
-    return {};
-  }
-  return { "--" + error.Flag + " 0 sets no largest error; the run ends at the default of --" +
-    reduction.Flag + ", " + OptionText(options, reduction) + ", and --" + reduction.Flag +
-    " 0 keeps every triangle" };
+  RequireUsage(!isSet || options.MaximumError > 0.0 || options.TargetReductionIsExplicit ||
+      !options.EndsAtReduction(isLimited),
+    "--" + error.Flag + " 0 sets no largest error, and nothing else ends the run; --" +
+      reduction.Flag + " 0 keeps every triangle");
 }
 
 void CheckArguments(const Arguments& arguments)
@@ -249,6 +257,7 @@ void CheckArguments(const Arguments& arguments)
   RequireUsage(ineffective.empty(), ineffective.empty() ? "" : ineffective.front());
   const std::string contradiction = FindContradiction(arguments);
   RequireUsage(contradiction.empty(), contradiction);
+  CheckZeroError(arguments);
   CheckMemory(arguments);
   CheckSegments(arguments);
   CheckLabel(arguments.LabelMap, "--label-map");

@@ -64,6 +64,13 @@ std::vector<std::string> OptionNames(const CLI::App& command)
       (meant.empty() ? "; see " + CommandPath(command) + " -h" : "; did you mean " + meant + "?"));
 }
 
+/// A word processor makes a dash of two hyphens: U+2010 to U+2015 and U+2212 in UTF-8.
+bool BeginsWithDash(const std::string& word)
+{
+  const std::string first = word.substr(0, 3);
+  return (first >= "\xe2\x80\x90" && first <= "\xe2\x80\x95") || first == "\xe2\x88\x92";
+}
+
 /// CLI11 takes any word for the value of an option, another option, too.
 void RequireValue(
   const CLI::App& command, const CLI::Option& option, const std::string& word, bool hasValue)
@@ -81,6 +88,12 @@ void RequireOptions(const CLI::App& command, const std::vector<std::string>& wor
   std::set<const CLI::Option*> given;
   for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i)
   {
+    if (BeginsWithDash(words[i]))
+    {
+      throw Failure(ExitCode::Usage,
+        "'" + words[i] +
+          "' begins with a dash; options begin with two hyphens, as --max-error does");
+    }
     if (!IsOption(words[i]))
     {
       continue;

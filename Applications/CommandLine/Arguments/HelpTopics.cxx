@@ -191,7 +191,8 @@ std::string ShortHelp(const CLI::App& program)
   std::string text = ProgramDescription() + "\n" +
     "Usage: bonedecimate INPUT OUTPUT [OPTIONS]\n"
     "       bonedecimate ct.nrrd bone.vtp --iso bone --max-error 0.5 --page bone.html\n"
-    "       bonedecimate labels.nii.gz folder --segments all --max-error halfvoxel\n\n"
+    "       bonedecimate labels.nii.gz folder --segments all --max-error halfvoxel\n"
+    "       bonedecimate scans folder --iso bone --max-error 0.5\n\n"
     "Options by topic:\n";
   for (const HelpTopic& topic : HelpTopics())
   {

@@ -114,6 +114,7 @@ void CheckSegments(const Arguments& arguments)
     "--segments is for label maps; '" + arguments.Inputs[0] + "' is none: read are " +
       ReadVolumesText());
   const bool isFile = FindFormat(arguments.Output) != nullptr;
+  RequireFolderName(arguments.Output);
   RequireUsage(isFile || !IsNamedLikeFile(arguments.Output),
     "the output '" + arguments.Output + "' needs one of the extensions " + SurfaceExtensions() +
       ", vtm, or none to become a folder");

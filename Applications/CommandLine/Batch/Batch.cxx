@@ -26,7 +26,6 @@
 #include <filesystem>
 #include <list>
 #include <optional>
-#include <set>
 #include <thread>
 #include <vector>
 
@@ -47,8 +46,6 @@ void RemoveSegmentFolder(int process, const std::string& output)
 
 const char* const OfAnotherShard = "of another shard";
 
-constexpr std::size_t LongestName = 60; // longer names move the rest of their lines
-
 /// The folder that has the output, a file or a folder.
 std::string FolderAround(const std::string& output)
 {
@@ -64,22 +61,17 @@ public:
     , Self(self)
     , Bones(PlanBatch(arguments))
     , Rows(Bones.size())
-    , Printed(arguments.Quiet)
+    , Printed(arguments)
   {
     RejectOtherOptions(this->Bones, arguments);
-    std::set<std::string> names;
-    for (const BatchBone& bone : this->Bones)
-    {
-      names.insert(bone.Name);
-    }
-    this->Table.emplace(arguments.Output, names);
+    this->Table.emplace(arguments.Output, this->Bones);
     for (std::size_t i = 0; i < this->Bones.size(); ++i)
     {
       this->Rows[i].Name = this->Bones[i].Name;
       this->Rows[i].Input = PathBelow(this->Bones[i]);
-      this->NameWidth = std::max(this->NameWidth, std::min(this->Rows[i].Name.size(), LongestName));
       this->ToDo.push_back(i);
     }
+    this->NameWidth = WidthOfNames(this->Rows);
   }
 
   ExitCode Run()
@@ -98,8 +90,7 @@ public:
     {
       this->StartSome();
       this->CollectEnded();
-      this->Printed.Show(
-        this->Bones.size() - this->ToDo.size() - this->Running.size(), this->Bones.size());
+      this->Printed.Show(this->Ended, this->Bones.size());
       this->Shared->Renew();
     }
     this->TakeOtherShards();
@@ -221,8 +212,8 @@ private:
   void EndFinished(std::size_t index)
   {
     const bool isNew = this->Shared->IsNew(this->Bones[index].Report);
-    this->End(
-      index, "done", ExitCode::Done, isNew ? "" : "by an earlier run; --force does it again", true);
+    this->Rows[index].Note = isNew ? "" : "by an earlier run; --force does it again";
+    this->End(index, "done", ExitCode::Done, "", true);
   }
 
   bool IsFinished(const BatchBone& bone) const
@@ -352,6 +343,7 @@ private:
     {
       TakeReport(row, this->Bones[bone].Report);
     }
+    ++this->Ended;
     const std::string line = BatchLine(row, this->NameWidth);
     status == "failed" ? this->Printed.TellFailure(line) : this->Printed.Tell(line);
   }
@@ -375,7 +367,8 @@ private:
   std::vector<BatchBone> Bones;
   std::vector<BatchRow> Rows;
   std::optional<FolderTable> Table;
-  std::size_t NameWidth = 4; // of "name"
+  std::size_t NameWidth = 0;
+  std::size_t Ended = 0;
   std::list<StagedFolder> Folders;
   std::optional<SharedFolder> Shared; // while inputs are at work
   std::deque<std::size_t> ToDo;

@@ -13,9 +13,11 @@ namespace
 constexpr std::chrono::minutes ToldEvery(10);
 }
 
-BatchOutput::BatchOutput(bool isQuiet)
-  : Quiet(isQuiet)
-  , Terminal(!isQuiet && isatty(STDOUT_FILENO) == 1)
+BatchOutput::BatchOutput(const Arguments& arguments)
+  : Quiet(arguments.Quiet)
+  , Terminal(!arguments.Quiet && isatty(STDOUT_FILENO) == 1)
+  , Lines(
+      ProgressOf(arguments) == Progress::Lines && !(this->Terminal && isatty(STDERR_FILENO) == 1))
 {
 }
 
@@ -51,13 +53,18 @@ void BatchOutput::Show(std::size_t ended, std::size_t all)
     return;
   }
   this->Shown = ended;
-  const std::string text = std::to_string(ended) + " of " + std::to_string(all) + " files";
+  const std::string text =
+    std::to_string(ended) + " of " + std::to_string(all) + " inputs have ended";
   const auto now = std::chrono::steady_clock::now();
+  if (this->Lines)
+  {
+    std::cerr << text << '\n';
+  }
   if (this->Terminal)
   {
     std::cout << "\r" << text << std::flush;
   }
-  else if (now - this->Told > ToldEvery && ended < all)
+  else if (!this->Lines && now - this->Told > ToldEvery && ended < all)
   {
     this->Told = now;
     this->Tell(text);

@@ -7,6 +7,8 @@
 #ifndef BoneDecimate_Applications_BatchOutput_h
 #define BoneDecimate_Applications_BatchOutput_h
 
+#include "Arguments/Arguments.h"
+
 #include <chrono>
 #include <cstddef>
 #include <string>
@@ -16,19 +18,21 @@ namespace bonedecimate
 class BatchOutput
 {
 public:
-  explicit BatchOutput(bool isQuiet);
+  explicit BatchOutput(const Arguments& arguments);
 
   void Tell(const std::string& line) const;
 
   /// Even if the batch is quiet: then on the standard error.
   void TellFailure(const std::string& line) const;
 
-  /// Inputs that have ended: on a terminal always, in a file every ten minutes.
+  /// Inputs that have ended: on a terminal always, in a file every ten minutes; with --progress on
+  /// the standard error whenever there are more.
   void Show(std::size_t ended, std::size_t all);
 
 private:
   bool Quiet;
   bool Terminal;
+  bool Lines; ///< By --progress.
   std::size_t Shown = 0;
   std::chrono::steady_clock::time_point Told = std::chrono::steady_clock::now();
 };

@@ -247,13 +247,16 @@ void CheckThatThereAreBones(const std::vector<BatchBone>& bones, const Arguments
   const auto isBone = [](const BatchBone& bone) { return bone.IsBone(); };
   if (std::none_of(bones.begin(), bones.end(), isBone))
   {
-    const std::string volumes =
-      TakesVolumes(arguments) ? "" : "; volumes need --iso HU or --segments";
-    const std::string kinds = TakesVolumes(arguments) ? "no surface or volume" : "no surface file";
+    const bool areVolumes = std::any_of(bones.begin(), bones.end(),
+      [](const BatchBone& bone) { return bone.CodeIfNot == ExitCode::LeftOut; });
+    const std::string kinds = areVolumes ? "no surface file" : "no surface or volume";
     Reject(arguments.Inputs[0],
-      arguments.Only.empty()
-        ? kinds + " is in it" + volumes
-        : kinds + " in it has a name that matches --only '" + arguments.Only + "'" + volumes);
+      kinds +
+        (arguments.Only.empty()
+            ? " is in it"
+            : " in it has a name, or path below the folder, that matches --only '" +
+              arguments.Only + "'") +
+        (areVolumes ? "; volumes need --iso HU or --segments" : ""));
   }
   const auto isVolume = [](const BatchBone& bone) { return bone.Volume; };
   if (arguments.Iso && std::none_of(bones.begin(), bones.end(), isVolume))

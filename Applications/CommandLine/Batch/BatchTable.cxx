@@ -76,7 +76,8 @@ std::string QuotedField(const std::string& field)
 
 std::string Padded(const std::string& text, std::size_t width, bool right)
 {
-  const std::string blanks(width > text.size() ? width - text.size() : 0, ' ');
+  const std::size_t characters = NumberOfCharacters(text);
+  const std::string blanks(width > characters ? width - characters : 0, ' ');
   return right ? blanks + text : text + blanks;
 }
 
@@ -227,6 +228,17 @@ std::string WriteTables(const std::string& folder, const std::vector<BatchRow>& 
   return summary;
 }
 
+std::size_t WidthOfNames(const std::vector<BatchRow>& rows)
+{
+  constexpr std::size_t longest = 60;
+  std::size_t width = NumberOfCharacters("name");
+  for (const BatchRow& row : rows)
+  {
+    width = std::max(width, std::min(NumberOfCharacters(row.Name), longest));
+  }
+  return width;
+}
+
 std::string BatchHeading(std::size_t nameWidth)
 {
   std::string line = Padded("name", nameWidth, false) + "  " + Padded("status", StatusWidth, false);
@@ -249,7 +261,8 @@ std::string BatchLine(const BatchRow& row, std::size_t nameWidth)
   }
   const Json proof = FigureOf(row, "proof_status");
   line += "  " + Padded(proof.is_string() ? proof.get<std::string>() : "-", ProofWidth, false);
-  return WithoutBlanksAtEnd(line + "  " + PlainText(row.Message));
+  const std::string separator = row.Note.empty() || row.Message.empty() ? "" : "; ";
+  return WithoutBlanksAtEnd(line + "  " + PlainText(row.Note + separator + row.Message));
 }
 
 ExitCode WorstCodeOf(const std::vector<BatchRow>& rows)

@@ -24,6 +24,7 @@ struct BatchRow
   std::string Status = "not run"; ///< Or "done", "skipped", "failed", "interrupted".
   ExitCode Code = ExitCode::Interrupted;
   std::string Message;    ///< Why it failed or was skipped, and what its report warns of.
+  std::string Note;       ///< Is printed before the message and in no file.
   nlohmann::json Figures; ///< Figures of its report, by column of summary.csv; null: none.
   /// Figures of each segment of a label map, by column of segments.csv.
   std::vector<nlohmann::json> Segments;
@@ -44,11 +45,14 @@ std::string ComposeSegmentsCsv(const std::vector<BatchRow>& rows);
 /// @return The path of summary.csv.  @throws Failure(ExitCode::CouldNotWrite)
 std::string WriteTables(const std::string& folder, const std::vector<BatchRow>& rows);
 
+/// Characters of the longest name, but at most 60: longer ones move the rest of their lines.
+std::size_t WidthOfNames(const std::vector<BatchRow>& rows);
+
 /// The first line of the table.
 std::string BatchHeading(std::size_t nameWidth);
 
 /// The line of a row.
-/// @param nameWidth Width of the longest name; a longer one moves the rest of its line.
+/// @param nameWidth Characters of the first column; a longer name moves the rest of its line.
 std::string BatchLine(const BatchRow& row, std::size_t nameWidth);
 
 /// What was left out counts less than what failed.

@@ -49,7 +49,7 @@ void RejectOtherOptions(const std::vector<BatchBone>& bones, const Arguments& ar
     throw Failure(ExitCode::Usage,
       "'" + arguments.Output + "' has " + std::to_string(count) +
         (count == 1 ? " result" : " results") + " of other options, the first is " + first +
-        ": another folder keeps them, --force does all inputs again");
+        ": another folder keeps them, --force does all chosen inputs again");
   }
 }
 }

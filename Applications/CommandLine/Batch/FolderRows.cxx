@@ -19,23 +19,20 @@ namespace bonedecimate
 {
 namespace
 {
-/// The input of a report of this program; empty: the file is none.
-std::string InputOfReport(const fs::path& file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
-  const nlohmann::json::json_pointer input("/files/input");
-  const bool isReport = json.is_object() && json.contains(input) && json[input].is_string() &&
-    json.contains(nlohmann::json::json_pointer("/output/triangles"));
-  return isReport ? json[input].get<std::string>() : std::string();
-}
-
 /// The name that a batch gives to the outputs: report.json lies in a folder of that name.
 std::string NameOfReport(const fs::path& file, const fs::path& root)
 {
   const fs::path below = file.lexically_relative(root);
   const bool isOfFolder = below.filename() == "report.json" && below.has_parent_path();
   return (isOfFolder ? below.parent_path() : fs::path(below).replace_extension()).generic_string();
+}
+
+void Fail(BatchRow& row, const std::string& message)
+{
+  row.Status = "failed";
+  row.Code = ExitCode::InputRejected;
+  row.Message = message;
+  row.Figures = nullptr;
 }
 
 /// What a failed input left, unless a report of that name is there.
@@ -65,12 +62,37 @@ void CheckSurfaces(const fs::path& report, BatchRow& row)
     std::error_code ignored;
     const std::string what =
       isOfFolder ? "surfaces" : "surface '" + output.filename().string() + "'";
-    row.Status = "failed";
-    row.Code = ExitCode::InputRejected;
-    row.Message = "the " + what +
-      (isOfFolder || fs::exists(output, ignored) ? " changed after the report" : " is missing");
-    row.Figures = nullptr;
+    Fail(row,
+      "the " + what +
+        (isOfFolder || fs::exists(output, ignored) ? " changed after the report" : " is missing"));
   }
+}
+
+/// The row of a report of this program, or of a file that is no JSON; none if it is other JSON.
+std::optional<BatchRow> RowOfReport(const fs::path& file, const fs::path& root)
+{
+  std::ifstream stream(file, std::ios::binary);
+  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, false);
+  BatchRow row;
+  row.Name = NameOfReport(file, root);
+  if (json.is_discarded())
+  {
+    Fail(row, "the report '" + file.filename().string() + "' cannot be read");
+    return row;
+  }
+  const nlohmann::json::json_pointer input("/files/input");
+  if (!json.is_object() || !json.contains(input) || !json[input].is_string() ||
+    !json.contains(nlohmann::json::json_pointer("/output/triangles")))
+  {
+    return std::nullopt;
+  }
+  const fs::path folder = fs::path(row.Name).parent_path();
+  row.Input = (folder / FilePath(json[input].get<std::string>())).generic_string();
+  row.Status = "done";
+  row.Code = ExitCode::Done;
+  TakeReport(row, file.string());
+  CheckSurfaces(file, row);
+  return row;
 }
 
 void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>& rows)
@@ -84,23 +106,13 @@ void AddRows(const fs::path& folder, const fs::path& root, std::vector<BatchRow>
     {
       AddRows(path, root, rows);
     }
-    if (std::optional<BatchRow> failed =
-          !isHidden && path.extension() == ".log" ? FailedRow(path, root) : std::nullopt)
+    std::optional<BatchRow> row = isHidden ? std::nullopt
+      : path.extension() == ".log"         ? FailedRow(path, root)
+      : path.extension() == ".json"        ? RowOfReport(path, root)
+                                           : std::nullopt;
+    if (row)
     {
-      rows.push_back(std::move(*failed));
-    }
-    const std::string input =
-      !isHidden && path.extension() == ".json" ? InputOfReport(path) : std::string();
-    if (!input.empty())
-    {
-      BatchRow row;
-      row.Name = NameOfReport(path, root);
-      row.Input = (fs::path(row.Name).parent_path() / FilePath(input)).generic_string();
-      row.Status = "done";
-      row.Code = ExitCode::Done;
-      TakeReport(row, path.string());
-      CheckSurfaces(path, row);
-      rows.push_back(std::move(row));
+      rows.push_back(std::move(*row));
     }
   }
   if (error)

@@ -14,7 +14,8 @@
 
 namespace bonedecimate
 {
-/// Also of the folders below. A surface that is missing, or not that of its report, is failed.
+/// Also of the folders below. A report that cannot be read, and a surface that is missing or of
+/// another size than its report says, is failed.
 /// @throws Failure(ExitCode::InputRejected) if a folder cannot be read.
 std::vector<BatchRow> RowsOfFolder(const std::string& folder);
 }

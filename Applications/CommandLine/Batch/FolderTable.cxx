@@ -7,6 +7,7 @@
 #include "FolderRows.h"
 
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -33,12 +34,21 @@ std::vector<BatchRow> RowsThatAreThere(const std::string& folder)
 }
 }
 
-FolderTable::FolderTable(const std::string& folder, const std::set<std::string>& names)
+FolderTable::FolderTable(const std::string& folder, const std::vector<BatchBone>& bones)
   : Folder(folder)
 {
+  std::set<std::string> names, inputs;
+  for (const BatchBone& bone : bones)
+  {
+    names.insert(bone.Name);
+    if (bone.IsBone())
+    {
+      inputs.insert(PathBelow(bone));
+    }
+  }
   for (BatchRow& row : RowsThatAreThere(folder))
   {
-    if (names.count(row.Name) == 0)
+    if (names.count(row.Name) == 0 && inputs.count(row.Input) == 0)
     {
       this->Others.push_back(std::move(row));
     }

@@ -7,9 +7,9 @@
 #ifndef BoneDecimate_Applications_FolderTable_h
 #define BoneDecimate_Applications_FolderTable_h
 
+#include "BatchPlan.h"
 #include "BatchTable.h"
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,8 +18,9 @@ namespace bonedecimate
 class FolderTable
 {
 public:
-  /// Results in the folder that have other names than those of the batch keep their rows.
-  FolderTable(const std::string& folder, const std::set<std::string>& names);
+  /// Results in the folder that have other names than those of the batch keep their rows, unless
+  /// the batch makes a result of the same input.
+  FolderTable(const std::string& folder, const std::vector<BatchBone>& bones);
 
   /// A full disk does not end the batch before its inputs: it is a problem, until the next time.
   void Write(const std::vector<BatchRow>& rows);

@@ -103,8 +103,7 @@ void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
   CheckSeries(arguments.Map, arguments.Files);
   CheckSpacing(arguments.Map, arguments.Files);
   CheckReference(arguments);
-  const bool hasTolerance = arguments.Tolerance || !arguments.ToleranceArray.empty();
-  if (arguments.FirstProof && !hasTolerance)
+  if (arguments.FirstProof && !arguments.HasTolerance())
   {
     throw Failure(
       ExitCode::Usage, "--first-proof has no effect; it needs --tolerance or --tolerance-array");
@@ -185,7 +184,7 @@ ExitCode RunFolders(const CertifyArguments& arguments)
   }
   if (!arguments.Quiet)
   {
-    std::cout << CountsOfPairs(rows) << "\n";
+    std::cout << CountsOfPairs(rows, arguments.HasTolerance()) << "\n";
   }
   return WorstOfPairs(rows);
 }

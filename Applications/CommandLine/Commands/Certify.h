@@ -41,6 +41,7 @@ struct CertifyArguments
 
   const std::string& Result() const { return this->Files.back(); }
   bool HasReference() const { return this->Files.size() == 2; }
+  bool HasTolerance() const { return this->Tolerance || !this->ToleranceArray.empty(); }
 };
 
 /**

@@ -132,7 +132,7 @@ std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs)
   return list.dump(2) + "\n";
 }
 
-std::string CountsOfPairs(const std::vector<CertifiedPair>& pairs)
+std::string CountsOfPairs(const std::vector<CertifiedPair>& pairs, bool hasTolerance)
 {
   const auto count = [&pairs](auto belongs)
   { return std::count_if(pairs.begin(), pairs.end(), belongs); };
@@ -144,7 +144,8 @@ std::string CountsOfPairs(const std::vector<CertifiedPair>& pairs)
   std::string text = std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair" : " pairs");
   std::string separator = ": ";
   for (const auto& [number, word] :
-    { std::pair(of(ExitCode::Done), "proved"), std::pair(of(ExitCode::Violated), "violated"),
+    { std::pair(of(ExitCode::Done), hasTolerance ? "proved" : "compared"),
+      std::pair(of(ExitCode::Violated), "violated"),
       std::pair(of(ExitCode::Undecided), "undecided"),
       std::pair(
         count([](const CertifiedPair& pair) { return pair.Json.empty(); }), "not compared") })

@@ -44,8 +44,8 @@ std::vector<FilePair> FindPairs(
 /// A list of objects: name, exit code, and the certificate or the problem.
 std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs);
 
-/// "12 pairs: 9 proved, 1 violated, 2 not compared".
-std::string CountsOfPairs(const std::vector<CertifiedPair>& pairs);
+/// "12 pairs: 9 proved, 1 violated, 2 not compared"; without a tolerance "12 pairs: 12 compared".
+std::string CountsOfPairs(const std::vector<CertifiedPair>& pairs, bool hasTolerance);
 
 /// Interrupted if one is, else Violated, else Undecided, else the code of a pair that was rejected.
 ExitCode WorstOfPairs(const std::vector<CertifiedPair>& pairs);

@@ -7,7 +7,6 @@
 #include "CertificatePage.h"
 #include "Figures/BoundText.h"
 #include "Files/FileNames.h"
-#include "Files/InputHints.h"
 #include "Files/StagedFile.h"
 #include "Files/SurfaceFiles.h"
 #include "Formats/FileChecks.h"
@@ -55,11 +54,6 @@ void CertifyRun::Read()
   const MillimeterSurface result =
     ReadInput(this->Requested.Result(), this->Requested.Unit, this->Warnings);
   this->Result = this->InFrameOfReference(result.Surface);
-  if (this->Requested.HasReference())
-  {
-    auto* const reference = vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(0, 0));
-    WarnOfUnits(reference, this->Result, this->Warnings);
-  }
   this->ReportOfResult = ReportFields(result.InFile).Text("proof.sentence");
   this->Filter->SetInputData(1, this->Result);
 }
@@ -117,7 +111,7 @@ void CertifyRun::Compare()
   if (!messages.Errors.empty() || !problem.empty())
   {
     throw Failure(ExitCode::InputRejected,
-      "'" + BaseName(this->Requested.Files[0]) + "' and '" + BaseName(this->Requested.Files[1]) +
+      "'" + this->Requested.Files[0] + "' and '" + this->Requested.Files[1] +
         "' were rejected: " + (messages.Errors.empty() ? problem : messages.Errors.front()));
   }
   AcceptMessages(messages, this->Requested.Files[1], this->Warnings, this->Requested.Unit);

@@ -11,7 +11,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -37,11 +36,7 @@ ExitCode Run(const SummaryArguments& arguments)
   const std::string table = WriteTables(arguments.Folder, rows);
   if (!arguments.Quiet)
   {
-    std::size_t width = 4; // of "name"
-    for (const BatchRow& row : rows)
-    {
-      width = std::max(width, row.Name.size());
-    }
+    const std::size_t width = WidthOfNames(rows);
     std::cout << BatchHeading(width) << "\n";
     for (const BatchRow& row : rows)
     {
@@ -58,8 +53,9 @@ void AddSummaryCommand(CLI::App& program, ExitCode& code)
   const auto arguments = std::make_shared<SummaryArguments>();
   CLI::App& command = AddCommand(program, "summary", { "FOLDER [OPTIONS]" },
     "Writes summary.csv of a folder of results from the reports in it and the logs of failed "
-    "inputs, whatever batches wrote them. A surface that is missing, or not that of its report, "
-    "counts as failed; the exit code is that of the worst input.");
+    "inputs, whatever batches wrote them. A report that cannot be read, and a surface that is "
+    "missing or of another size than in its report, counts as failed; the exit code is that of "
+    "the worst input.");
   command.add_option("FOLDER", arguments->Folder, WrappedHelp("The output folder of batches."))
     ->type_name("")
     ->required();

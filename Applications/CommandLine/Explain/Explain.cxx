@@ -217,10 +217,6 @@ ExitCode Explain(const Arguments& arguments)
   const std::vector<std::string> problems = Problems(arguments);
   Explanation explanation;
   ExplainOptions(arguments, explanation);
-  for (const std::string& warning : OptionWarnings(arguments))
-  {
-    explanation.Add("warning", warning);
-  }
   for (const std::string& problem : problems)
   {
     explanation.Add("rejected", WithOrigin(problem, arguments.Settings));

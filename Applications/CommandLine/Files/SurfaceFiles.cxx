@@ -129,7 +129,7 @@ std::vector<std::string> MissingArrays(vtkPolyData* surface, const SurfaceFormat
 }
 
 /// "cannot hold arrays (depth, Distance and the report); vtp and vtk can"
-std::string ArrayLoss(vtkPolyData* surface, const SurfaceFormat& format)
+std::string ArrayLoss(vtkPolyData* surface, const SurfaceFormat& format, bool isDivided)
 {
   const std::vector<std::string> missing = MissingArrays(surface, format);
   constexpr std::size_t mostNamed = 12;
@@ -150,7 +150,7 @@ std::string ArrayLoss(vtkPolyData* surface, const SurfaceFormat& format)
       ExtensionsThat(&SurfaceFormat::HoldsArrays) + " can" +
       (isMissing("SPACE") ? "; so the file does not say that its axes are " + FrameOf(surface)
                           : std::string()) +
-      (isMissing(LabelsOfSidesName)
+      (isMissing(LabelsOfSidesName) && !isDivided
           ? "; walls between labels are inside the surface: a folder, or 3mf, has a closed surface "
             "for each label"
           : "");
@@ -231,9 +231,10 @@ vtkSmartPointer<vtkPolyData> WriteSurface(
   }
 }
 
-std::string LossText(vtkPolyData* surface, const SurfaceFormat& format)
+std::string LossText(vtkPolyData* surface, const SurfaceFormat& format, bool isDivided)
 {
-  std::vector<std::string> losses = { ArrayLoss(surface, format), CellLoss(surface, format) };
+  std::vector<std::string> losses = { ArrayLoss(surface, format, isDivided),
+    CellLoss(surface, format) };
   if (!format.HoldsDoubles && surface->GetPoints()->GetDataType() == VTK_DOUBLE)
   {
     losses.emplace_back("rounds the double coordinates to single precision");

@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_CountText_h
 
 #include "NumberText.h"
+#include "ReportFields.h"
 
 #include <cstdint>
 #include <string>
@@ -18,6 +19,12 @@ namespace bonedecimate
 inline std::string CountText(std::int64_t count, const std::string& noun)
 {
   return GroupedText(static_cast<double>(count)) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// An entry of a report that is a number of things; one that is missing is "0".
+inline std::string CountText(const ReportFields& report, const std::string& name)
+{
+  return GroupedText(report.Number(name).value_or(0.0));
 }
 
 /// "there is 1 file", "there are 2 files"

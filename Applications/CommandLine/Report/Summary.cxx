@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Summary.h"
 
+#include "CountText.h"
 #include "Figures/BoundText.h"
+#include "InputSummary.h"
 #include "NumberText.h"
 #include "PartSection.h"
 #include "PlainText.h"
@@ -17,24 +19,20 @@ namespace bonedecimate
 {
 namespace
 {
-std::string Count(const ReportFields& report, const std::string& name)
-{
-  return GroupedText(report.Number(name).value_or(0.0));
-}
-
 void PrintTriangles(const ReportFields& report)
 {
   std::cout << "triangles       "
             << GroupedText(CountBeforePruning(report, "triangles").value_or(0.0)) << " -> "
-            << Count(report, "output.triangles") << "\n";
+            << CountText(report, "output.triangles") << "\n";
 }
 
 void PrintComponents(const ReportFields& report)
 {
   const bool wasPruned = report.Number("pruned.components").value_or(0.0) > 0.0;
-  std::cout << "components      " << Count(report, "output.components") << " of "
+  std::cout << "components      " << CountText(report, "output.components") << " of "
             << GroupedText(CountBeforePruning(report, "components").value_or(0.0)) << " kept"
-            << (wasPruned ? ", " + Count(report, "pruned.components") + " pruned on request" : "")
+            << (wasPruned ? ", " + CountText(report, "pruned.components") + " pruned on request"
+                          : "")
             << "\n";
 }
 
@@ -49,21 +47,6 @@ void PrintLabelsOrComponents(const ReportFields& report, const std::vector<Segme
   const auto kept = std::count_if(segments.begin(), segments.end(),
     [](const SegmentRecord& segment) { return segment.Triangles > 0; });
   std::cout << "labels          " << kept << " of " << segments.size() << " in the input kept\n";
-}
-
-/// Only if there are many.
-void PrintSpecks(const SpeckFigures& specks)
-{
-  if (specks.AreMany())
-  {
-    const auto count = [](std::int64_t number) { return GroupedText(static_cast<double>(number)); };
-    const std::string size = ShortText(specks.Size);
-    std::cout << "specks          " << count(specks.Specks) << " of " << count(specks.Components)
-              << " components are smaller than " << size << " mm, "
-              << SizeText(100.0 * specks.AreaRatio)
-              << " % of the area; if they are not bone, --prune-size " << size
-              << " leaves them out\n";
-  }
 }
 
 void PrintDistances(
@@ -120,7 +103,7 @@ void PrintSmoothing(const ReportFields& report)
             << " mm; mean angle between neighbors " << FixedText(value("angle_before"), 1) << " -> "
             << FixedText(value("angle_after"), 1) << " degrees"
             << (value("sharp_points") > 0.0
-                   ? "; " + Count(report, "smoothing.sharp_points") + " points on sharp edges"
+                   ? "; " + CountText(report, "smoothing.sharp_points") + " points on sharp edges"
                    : "");
   if (report.Number("voxels.compared") && value("angle_after") > remaining * value("angle_before"))
   {
@@ -138,7 +121,7 @@ void PrintParts(const ReportFields& report)
   {
     return;
   }
-  std::cout << "parts           " << Count(report, "parts.count") << " "
+  std::cout << "parts           " << CountText(report, "parts.count") << " "
             << report.Text("parts.kind") << ", before -> after, the largest first\n";
   for (int i = 0; i < mostPrinted; ++i)
   {
@@ -162,8 +145,8 @@ void PrintVoxels(const ReportFields& report)
 {
   if (report.Number("voxels.changed"))
   {
-    std::cout << "voxels          " << Count(report, "voxels.changed") << " of "
-              << Count(report, "voxels.compared") << " have another label"
+    std::cout << "voxels          " << CountText(report, "voxels.changed") << " of "
+              << CountText(report, "voxels.compared") << " have another label"
               << (report.Text("voxels.guard") == "on" ? "; edits may not change any" : "");
     const std::optional<double> bound = BoundInVoxels(report);
     std::cout << (bound ? "; the largest error is " + ShortText(*bound) + " voxels" : "") << "\n";
@@ -219,67 +202,6 @@ void PrintSegments(const std::vector<SegmentRecord>& segments)
   }
 }
 
-/// The components left out on request, the largest first.
-void PrintPruned(const ReportFields& report)
-{
-  constexpr int mostPrinted = 10;
-  if (!report.Number("pruned.components"))
-  {
-    return;
-  }
-  std::cout << "pruned          " << Count(report, "pruned.components") << " components, "
-            << Count(report, "pruned.triangles") << " triangles\n";
-  for (int i = 0; i < mostPrinted; ++i)
-  {
-    const std::string path = "pruned.list." + std::to_string(i);
-    if (!report.Number(path + ".triangles"))
-    {
-      return;
-    }
-    const auto length = [&](const char* name)
-    { return MillimeterText(report.Number(path + name).value_or(0.0)); };
-    std::cout << "  " << Count(report, path + ".triangles") << " triangles, " << length(".size")
-              << " mm, at " << length(".center.0") << ", " << length(".center.1") << ", "
-              << length(".center.2") << "\n";
-  }
-}
-
-/// The tunnels closed on request.
-void PrintTunnels(const ReportFields& report)
-{
-  if (!report.Number("tunnels.closed"))
-  {
-    return;
-  }
-  double left = 0.0;
-  for (const std::string& name : report.NamesBelow("tunnels.left."))
-  {
-    left += report.Number(name).value_or(0.0);
-  }
-  std::cout << "tunnels         " << Count(report, "tunnels.closed") << " closed, "
-            << static_cast<std::int64_t>(left) << " left although narrow; handles "
-            << Count(report, "tunnels.genus_before") << " -> "
-            << Count(report, "tunnels.genus_after") << "; the plugs are at most "
-            << MillimeterText(report.Number("tunnels.distance").value_or(0.0))
-            << " mm from the input\n";
-}
-
-/// The diagnostics of the input.
-void PrintDiagnostics(const ReportFields& report)
-{
-  for (int i = 0;; ++i)
-  {
-    const std::string path = "diagnostics." + std::to_string(i);
-    if (!report.Number(path + ".count"))
-    {
-      return;
-    }
-    std::cout << "found           " << Count(report, path + ".count") << " "
-              << report.Text(path + ".sentence") << " (" << report.Text(path + ".severity")
-              << ")\n";
-  }
-}
-
 /// Only with a least angle.
 void PrintAngles(const ReportFields& report)
 {
@@ -287,7 +209,7 @@ void PrintAngles(const ReportFields& report)
   {
     std::cout << "angles          from "
               << GroupedText(report.Number("output.shape.smallest_angle").value_or(0.0), 1)
-              << " degrees; " << Count(report, "angles.below_minimum")
+              << " degrees; " << CountText(report, "angles.below_minimum")
               << " triangles have a smaller one than requested\n";
   }
 }
@@ -299,8 +221,8 @@ void PrintEdges(const ReportFields& report)
   {
     std::cout << "edges           " << GroupedText(*mean, 3) << " mm long on average, "
               << GroupedText(report.Number("edges.longest").value_or(0.0), 3) << " at most; "
-              << Count(report, "edges.longer") << " longer than 4/3 of the requested length, "
-              << Count(report, "edges.shorter") << " shorter than 4/5\n";
+              << CountText(report, "edges.longer") << " longer than 4/3 of the requested length, "
+              << CountText(report, "edges.shorter") << " shorter than 4/5\n";
   }
 }
 
@@ -351,14 +273,11 @@ void PrintSummary(
   { return GroupedText(report.Number(name).value_or(0.0), 2); };
   PrintTriangles(report);
   PrintLabelsOrComponents(report, subject.Segments);
-  PrintSpecks(subject.Specks);
-  PrintPruned(report);
-  PrintTunnels(report);
-  PrintDiagnostics(report);
+  PrintInputSummary(report, subject.Specks);
   PrintSmoothing(report);
   if (report.Number("reference.triangles"))
   {
-    std::cout << "reference       " << Count(report, "reference.triangles")
+    std::cout << "reference       " << CountText(report, "reference.triangles")
               << " triangles: what distances are measured to\n";
   }
   PrintDistances(report, "output_to_input", "result to input ");

@@ -125,8 +125,6 @@ public:
     {
       options.VoxelSize = this->VoxelSize;
     }
-    const std::vector<std::string> ofOptions = OptionWarnings(this->Requested);
-    this->Subject.Warnings.insert(this->Subject.Warnings.end(), ofOptions.begin(), ofOptions.end());
     this->Rounding.SetInput(this->Input, this->InputInFile);
     this->Rounding.Reserve(options);
     ApplyOptions(options, this->Filter);
@@ -179,7 +177,8 @@ public:
     }
     for (const SurfaceFormat* format : FormatsOfSurfaces(this->Requested))
     {
-      const std::string loss = LossText(this->Rounding.GetInFile(), *format);
+      const bool isDivided = WritesSegments(this->Requested) && this->Requested.Also.empty();
+      const std::string loss = LossText(this->Rounding.GetInFile(), *format, isDivided);
       if (!loss.empty())
       {
         this->Subject.Notes.push_back(loss);

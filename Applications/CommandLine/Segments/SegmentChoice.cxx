@@ -5,6 +5,7 @@
 #include "Base/Text.h"
 #include "ExitCode.h"
 #include "Formats/FileChecks.h"
+#include "Labels/LabelMap/LabelSurfaces.h"
 #include "Labels/LabelNames.h"
 #include "Labels/LabelTableSearch.h"
 #include "Labels/SegmentPresets.h"
@@ -24,7 +25,6 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr std::size_t MostSegments = 1000;
 constexpr std::size_t MaxListed = 30;
 
 /// Whether the value is a whole number, which all others are for vtkBoneSurfaces to reject.
@@ -48,7 +48,7 @@ template <typename Scalar>
 void CollectValues(const Scalar* values, vtkIdType count, std::set<std::int64_t>& labels)
 {
   Scalar last = 0;
-  for (const Scalar* value = values; value != values + count && labels.size() <= MostSegments + 1;
+  for (const Scalar* value = values; value != values + count && labels.size() <= MaxLabels + 1;
        ++value)
   {
     const bool isLast = !(*value < last) && !(*value > last); // true for most neighbors
@@ -157,10 +157,10 @@ FoundSegments FindSegments(
 FoundSegments FindSegments(const std::set<std::int64_t>& labels, vtkFieldData* fields,
   const SegmentArguments& arguments, const std::string& path)
 {
-  if (labels.size() > MostSegments)
+  if (labels.size() > MaxLabels)
   {
     Reject(path,
-      "it has more than " + std::to_string(MostSegments) +
+      "it has more than " + std::to_string(MaxLabels) +
         " different values, which are no labels; --iso HU takes the surface at a gray value");
   }
   LabelNames names = FindLabelNames(path, fields, arguments);

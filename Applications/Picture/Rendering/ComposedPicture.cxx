@@ -197,7 +197,7 @@ void WriteFooter(Overlay& overlay, const Distances& distances, const std::string
 
 std::string DistanceCaption(const Distances& distances)
 {
-  return distances.Array ? "Distance, largest " + MillimeterText(distances.Largest) + " mm"
+  return distances.Array ? "Distance, largest " + MeasuredText(distances.Largest) + " mm"
                          : "Distance not measured";
 }
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Iterator
 
 from . import remeshing, volume_meshers
 from .document import ROOT
+from .peer_worker import write_ply
 
 if TYPE_CHECKING:
     from .features import Lab
@@ -60,8 +61,8 @@ def as_stl(surface: Path) -> Path:
     return file
 
 
-def to_mesh(lab: Lab, bone: Path) -> Iterator[tuple[str, Path]]:
-    """The surfaces of a bone that meshers get, and how they were made."""
+def to_mesh(lab: Lab, bone: Path) -> Iterator[tuple[str, Path | str]]:
+    """The surfaces of a bone that meshers get, or why there is none, and how they were made."""
     yield "as it is", as_stl(bone)
     for words in ((), ("--min-angle", 20), ("--min-angle", 30), ("--edge-length", LENGTH)):
         lab.run(bone, "--mode", "Balanced", "--max-error", ERROR, "--measure", "off", *words, result="mesh.stl")
@@ -70,8 +71,9 @@ def to_mesh(lab: Lab, bone: Path) -> Iterator[tuple[str, Path]]:
     count = triangles_in(lab.folder / "mesh.stl")
     for peer in (remeshing.ISOTROPIC, remeshing.PYACVD):
         result = lab.folder / f"{peer.key}.ply"
-        if peer.is_here(lab.programs) and "failure" not in remeshing.to_count(lab.programs, peer, bone, result, count, LENGTH):
-            yield peer.name, as_stl(result)
+        if peer.is_here(lab.programs):
+            outcome = remeshing.to_count(lab.programs, peer, bone, result, count, LENGTH)
+            yield peer.name, f"failed: {outcome['failure'][:70]}" if "failure" in outcome else as_stl(result)
 
 
 def triangles_in(stl: Path) -> int:
@@ -82,11 +84,15 @@ def triangles_in(stl: Path) -> int:
 
 def closed_surfaces(lab: Lab) -> Iterator[tuple[str, Path]]:
     """The bones that are closed, and a phantom of many fragments, capped."""
+    import pyvista
+
     for bone in lab.bones():
         if not lab.verifier.describe(bone.file)["boundary_edges"]:
             yield bone.name, bone.file
     capped = lab.folder / "capped.ply"
     lab.run(lab.bone("small-leg").file, capped, command="cap")
+    surface = pyvista.read(capped)
+    write_ply(str(capped), surface.points, surface.regular_faces)  # as peers read it
     yield "leg of the phantom, capped", capped
 
 
@@ -95,8 +101,8 @@ def meshers(lab: Lab) -> Iterator[Row]:
     here = volume_meshers.are_here()
     for name, file in closed_surfaces(lab):
         for how, surface in to_mesh(lab, file):
-            row: Row = {"surface": name, "how": how, "triangles": triangles_in(surface)}
-            for mesher in here:
+            row: Row = {"surface": name, "how": how, "triangles": surface if isinstance(surface, str) else triangles_in(surface)}
+            for mesher in [] if isinstance(surface, str) else here:
                 outcome = volume_meshers.mesh(mesher, surface)
                 row[mesher] = f"failed: {outcome['failure'][:70]}" if "failure" in outcome else f"{outcome['cells']:,}, {outcome['angle']:.1f}"
             yield row

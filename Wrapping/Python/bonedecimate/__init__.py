@@ -38,14 +38,23 @@ def _update(search):
         raise ValueError(errors.texts[0])
 
 
+def _search(surface, mode):
+    """Of a surface and a mode, which is a number or a name."""
+    search = vtkBoneErrorSearch()
+    search.SetInputData(surface)
+    if isinstance(mode, str):
+        search.SetOptionFromText("Mode", mode)
+    else:
+        search.SetMode(mode)
+    return search
+
+
 def smallest_error(surface, triangles, precision=0.02, mode=vtkBoneDecimate.BALANCED):
     """The smallest largest distance (mm) that can be proved for that many triangles, and the surface that has it.
 
-    The distance is None if topology does not allow so few triangles. What cannot be searched raises ValueError.
+    The mode is vtkBoneDecimate.FAST, BALANCED or ACCURATE, or its name: "Fast". The distance is None if topology does not allow so few triangles. What cannot be searched raises ValueError.
     """
-    search = vtkBoneErrorSearch()
-    search.SetInputData(surface)
-    search.SetMode(mode)
+    search = _search(surface, mode)
     search.SetTargetNumberOfTriangles(triangles)
     search.SetRelativePrecision(precision)
     _update(search)
@@ -54,13 +63,11 @@ def smallest_error(surface, triangles, precision=0.02, mode=vtkBoneDecimate.BALA
 
 
 def error_curve(surface, errors, mode=vtkBoneDecimate.BALANCED):
-    """For each largest distance (mm): it, the number of triangles and the distance that is proved (mm).
+    """For each largest distance (mm): it, the number of triangles and the distance that is proved (mm). The mode is as of smallest_error.
 
     A distance that cannot be kept, and one that does not suit the size of the surface, raise ValueError.
     """
-    search = vtkBoneErrorSearch()
-    search.SetInputData(surface)
-    search.SetMode(mode)
+    search = _search(surface, mode)
     for error in errors:
         search.AddError(error)
     _update(search)

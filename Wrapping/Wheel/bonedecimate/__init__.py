@@ -31,12 +31,13 @@ __all__ = ["Aborted", "Certificate", "LabelChanges", "LabelMap", "LabelSurfaces"
            "Report", "Result", "Segment", "Segments", "StopReason", "VoxelChanges", "VoxelGrid", "__version__", "certify", "change_pieces", "check_voxels", "decimate",
            "extract_label", "extract_surfaces", "open_levels", "record_levels", "segments", "smooth", "vtkBoneDecimate"]
 
-# Classes of the package that is built with VTK, and what does the same here.
+# Names of the package that is built with VTK, and what does the same here.
 _BUILT_WITH_VTK = {
-    "vtkBoneCap": "mesh.bone.cap",
-    "vtkBoneDecimateLevels": "record_levels", "vtkBoneDiagnostics": "decimate(diagnose=True)", "vtkBoneErrorSearch": None,
-    "vtkBoneLabelPieces": "change_pieces", "vtkBoneSmooth": "smooth", "vtkBoneSurfaceDistance": "certify", "vtkBoneSurfaces": "extract_surfaces",
-    "vtkBoneTolerance": None, "vtkBoneVoxelCheck": "check_voxels"}
+    "error_curve": "the program's bonedecimate curve", "smallest_error": "the program's bonedecimate tolerance", "vtkBoneCap": "mesh.bone.cap",
+    "vtkBoneDecimateLevels": "bonedecimate.record_levels", "vtkBoneDiagnostics": "bonedecimate.decimate(diagnose=True)",
+    "vtkBoneErrorSearch": "the program's bonedecimate tolerance", "vtkBoneLabelPieces": "bonedecimate.change_pieces",
+    "vtkBoneSmooth": "bonedecimate.smooth", "vtkBoneSurfaceDistance": "bonedecimate.certify", "vtkBoneSurfaces": "bonedecimate.extract_surfaces",
+    "vtkBoneTolerance": None, "vtkBoneVoxelCheck": "bonedecimate.check_voxels"}
 
 
 def __getattr__(name: str):
@@ -49,8 +50,7 @@ def __getattr__(name: str):
         return getattr(pyvista_accessor, name)
     if name in _BUILT_WITH_VTK:  # an AttributeError would lose its text in "from bonedecimate import ..."
         same = _BUILT_WITH_VTK[name]
-        name_here = same if same and same.startswith("mesh.") else f"bonedecimate.{same}"
-        hint = f"; {name_here} does the same here" if same else ""
+        hint = f"; {same} does the same here" if same else ""
         raise ImportError(f"{name} is in the package bonedecimate that is built with VTK, and this is the wheel, in "
                           f"{__path__[0]}: install one of them in an environment{hint}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

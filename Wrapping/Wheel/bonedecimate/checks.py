@@ -27,7 +27,7 @@ def numbers_of(name: str, values: ArrayLike, count: int) -> NDArray[np.float64]:
     """So many numbers, in a row or as rows of three."""
     numbers = numeric_array(values, name).astype(np.float64)
     if numbers.size != count or numbers.shape not in ((count,), (3, count // 3)):
-        raise ValueError(f"{name} has {count} numbers, not the shape {numbers.shape}")
+        raise ValueError(f"{name} has {count} numbers, not {f'the shape {numbers.shape}' if numbers.ndim else 'one'}")
     return numbers.reshape(-1)
 
 

@@ -51,7 +51,7 @@ class LabelSurfaces:
 
     def label(self, value: int) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Points and triangles of the closed surface of one label, as `extract_label` gives them. Raises ValueError if there is none."""
-        return extract_label(self.points, self.triangles, self.boundary_labels, known_label(self.boundary_labels, value))
+        return extract_label(self.points, self.triangles, self.boundary_labels, value)
 
     def __iter__(self) -> Iterator[NDArray]:
         return iter((self.points, self.triangles))
@@ -118,7 +118,7 @@ def extract_surfaces(
     if outcome["aborted"]:
         raise Aborted("the extraction was stopped")
     if outcome["problem"]:
-        raise ValueError(outcome["problem"])
+        raise ValueError(_of_array(label_map) + outcome["problem"])
     return LabelSurfaces(outcome, grid, label_map.model_grid_found)
 
 
@@ -136,12 +136,17 @@ def extract_label(
     boundary_labels : (m, 2) array of int
         The labels on both sides of each triangle; the normal points from the first to the second.
     label : int
+
+    Raises
+    ------
+    TypeError, ValueError
+        Arrays of a wrong type or shape; a label that no triangle has.
     """
     corners, (positions, _single) = triangles_from(triangles), points_from(points)
     pairs = pairs_from(boundary_labels, len(corners))
     if len(corners) and not (0 <= corners.min() and corners.max() < len(positions)):
         raise ValueError("a triangle has an index of a point that is not there")
-    return _core.extract_label(positions, corners, pairs, label_value("label", label))[:2]
+    return _core.extract_label(positions, corners, pairs, _known_label(pairs, label))[:2]
 
 
 def no_path(label_map: LabelMapLike) -> LabelMapLike:
@@ -151,7 +156,7 @@ def no_path(label_map: LabelMapLike) -> LabelMapLike:
     return label_map
 
 
-def known_label(pairs: NDArray[np.int64], label: int) -> int:
+def _known_label(pairs: NDArray[np.int64], label: int) -> int:
     """The label, if a triangle has it. Raises ValueError otherwise."""
     value = label_value("label", label)
     if not (pairs == value).any():
@@ -163,10 +168,15 @@ def present_labels(label_map: LabelMap, chosen: list[int], background: int) -> l
     """Those that are chosen. Raises ValueError if no voxel has one of them, or any label if none is chosen."""
     present = [int(label) for label in np.unique(label_map.labels) if label != background]
     if not present:
-        raise ValueError("the label map has no label: every voxel is background")
+        raise ValueError(f"{_of_array(label_map)}the label map has no label: every voxel is background")
     if chosen and not set(chosen) & set(present):
-        raise ValueError(f"no voxel has label {', '.join(map(str, chosen))}; there are {', '.join(map(str, present[:20]))}")
+        raise ValueError(f"{_of_array(label_map)}no voxel has label {', '.join(map(str, chosen))}; there are {', '.join(map(str, present[:20]))}")
     return chosen
+
+
+def _of_array(label_map: LabelMap) -> str:
+    """What a sentence about it begins with."""
+    return f"array '{label_map.array_name}': " if label_map.array_name else ""
 
 
 def chosen_labels(labels: Iterable[int] | None) -> list[int]:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from .arrays import Certificate, certify, check, smoothing_of
 from .caps import close_boundaries
+from .error_picture import plot_settings
 from .images import label_map_of
 from .label_arrays import BOUNDARY_LABELS, GRID_POINT, LABEL_VALUES, add_grid
 from .label_maps import LabelSurfaces, extract_surfaces
@@ -289,19 +290,13 @@ class BoneAccessor:
         Parameters
         ----------
         largest : float, mm, optional
-            At which the colors end in both directions; by default the proved largest distance, which the picture names.
+            At which the colors end in both directions, 1e-9 to 1e30; by default the proved largest distance, which the picture names.
         """
-        limit = None if largest is None else number("largest", largest, 0, 1e30, "mm")
+        limit = None if largest is None else number("largest", largest, 1e-9, 1e30, "mm")
         certificate = self.certify(other)
-        measured = self._with_distances(certificate)
-        is_capped = np.abs(measured.point_data[ERROR]).max(initial=0.0) > (limit or np.inf)
-        bound = f"{np.ceil(certificate.upper * 1e4) / 1e4:.4f}"  # no less than the proved one
-        end = limit or float(bound) or 1.0
-        # The empty line keeps the title above the numbers. Light that falls on all sides alike keeps colors what the scale says.
-        settings = {"scalars": ERROR, "clim": (-end, end), "cmap": "coolwarm", "ambient": 0.5, "diffuse": 0.5,
-                    "text": f"at most {bound} mm, proved" + (f"; colors end at {end:.4g} mm" if is_capped else ""),
-                    "scalar_bar_args": {"title": "distance, mm (outside > 0)\n", "n_labels": 5, "fmt": "%.3g"}}
-        return measured.plot(**{**settings, **keywords})
+        width = (keywords.get("window_size") or pv.global_theme.window_size)[0]
+        settings = plot_settings(certificate, limit, width)
+        return self._with_distances(certificate).plot(**{"scalars": ERROR, **settings, **keywords})
 
     @property
     def report(self) -> Report:
@@ -322,6 +317,11 @@ class BoneImageAccessor:
 
     def __init__(self, image: pv.ImageData) -> None:
         self._image = image
+
+    if not TYPE_CHECKING:  # checkers would take any name for one that is there
+        def __getattr__(self, name: str) -> Never:
+            hint = f": first make its surfaces, image.bone.surfaces().bone.{name}" if hasattr(BoneAccessor, name) else ""
+            raise AttributeError(f"an image has no bone.{name}{hint}")
 
     def surfaces(
         self,

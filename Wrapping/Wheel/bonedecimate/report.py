@@ -11,7 +11,11 @@ from collections.abc import Iterator, Mapping
 
 
 class Report(dict[str, "int | float | str"]):
-    """A report by name, "proof.upper"; printed, it is a table, in which the options of the run are counted."""
+    """A report by name, "proof.upper".
+
+    Printed, it is a table that begins with the sentence of the proof: numbers have six digits, the options of the run are counted,
+    and entries with an empty text are left out.
+    """
 
     units: dict[str, str]  #: of each entry that has one
 
@@ -20,16 +24,23 @@ class Report(dict[str, "int | float | str"]):
         self.units = {name: unit for name, unit in units.items() if name in self}
 
     def __missing__(self, name: str) -> int | float | str:
+        if not self:
+            raise KeyError("this mesh has no report: no run made it, or what changed it since dropped its field data")
         meant = difflib.get_close_matches(str(name), self, 1)
-        raise KeyError(f"the report has no entry '{name}'" + (f"; did you mean '{meant[0]}'?" if meant else ""))
+        hint = f"; did you mean '{meant[0]}'?" if meant else ""
+        if str(name).startswith("proof.") and "proof.status" not in self and "proof.sentence" in self:
+            hint = f": {self['proof.sentence']}"
+        raise KeyError(f"the report has no entry '{name}'{hint}")
 
     def _rows(self) -> Iterator[tuple[str, str, str]]:
-        for name, value in self.items():
-            yield name, number_text(value) if isinstance(value, float) else str(value), self.units.get(name, "")
+        for name, value in sorted(self.items(), key=lambda entry: entry[0] not in ("proof.sentence", "sentence")):
+            if value != "":
+                yield name, number_text(float(f"{value:.6g}")) if isinstance(value, float) else str(value), self.units.get(name, "")
 
     def __str__(self) -> str:
         rows = [row for row in self._rows() if not row[0].startswith("options.")]
-        rows += [("options.*", f"{len(self) - len(rows)} more", "")] if len(rows) < len(self) else []
+        options = [name for name in self if name.startswith("options.")]
+        rows += [("options.*", f"{len(options)} more", "")] if options else []
         width = max((len(name) for name, _, _ in rows), default=0)
         return "\n".join(f"{name:{width}}  {value} {unit}".rstrip() for name, value, unit in rows)
 

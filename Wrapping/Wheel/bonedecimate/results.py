@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, files
-from .label_maps import extract_label, known_label
+from .label_maps import extract_label
 from .report import Report
 from .voxel_check import VoxelChanges
 from .voxels import SurfaceSource, VoxelGrid
@@ -74,7 +74,7 @@ class Result:
     def label(self, value: int) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Points and triangles of the closed surface of one label, as `extract_label` gives them. Needs boundary labels.
         Raises ValueError if there is none."""
-        return extract_label(self.points, self.triangles, self.boundary_labels, known_label(self.boundary_labels, value))
+        return extract_label(self.points, self.triangles, self.boundary_labels, value)
 
     def to_pyvista(self) -> pyvista.PolyData:
         """A mesh with the arrays of the result and its report, as `mesh.bone.decimate` returns it. `pyvista.wrap` takes no other

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import numbers
 import os
 import pathlib
 import warnings
@@ -14,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .arrays import Result, decimate
-from .label_maps import extract_label, extract_surfaces
+from .label_maps import extract_surfaces
 from .voxels import LabelMap, LabelMapLike, has_grid, label_map_from
 
 if TYPE_CHECKING:
@@ -56,14 +57,18 @@ class Segments(Mapping[str, Segment]):
         self.result, self.empty, self._segments = result, [], {}
         for label in labels:
             name = names.get(label, f"label_{label}")
-            name = f"{name}_{label}" if name in self._segments else name
-            points, triangles = extract_label(result.points, result.triangles, result.boundary_labels, label)
-            if len(triangles):
-                self._segments[name] = Segment(name, label, points, triangles)
+            if name in self._segments:
+                both = f"labels {self._segments[name].label} and {label} have the same name, '{name}'"
+                name = f"{name}_{label}"
+                warnings.warn(f"{both}; that of {label} is '{name}' here", stacklevel=3)
+            if (result.boundary_labels == label).any():
+                self._segments[name] = Segment(name, label, *result.label(label))
             else:
                 self.empty.append(name)
 
     def __getitem__(self, name: str) -> Segment:
+        if name not in self._segments:
+            raise KeyError(f"no structure with triangles is called {name!r}; there are {', '.join(self)}")
         return self._segments[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -81,8 +86,8 @@ class Segments(Mapping[str, Segment]):
         return f"<bonedecimate.Segments: {', '.join(self)}; {self.result.proved_error:.6g} mm proved>"
 
 
-def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[int, str] | None = None,
-             choose: Iterable[int | str] | None = None, model_grid: str | float | Sequence[float] = "auto", progress: Any = None,
+def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[int, str] | Mapping[str, int] | None = None,
+             choose: int | str | Iterable[int | str] | None = None, model_grid: str | float | Sequence[float] = "auto", progress: Any = None,
              **options: Any) -> Segments:
     """The simplified surfaces of the structures of a segmentation, by name, with walls between neighbors in common.
 
@@ -92,9 +97,9 @@ def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[in
         The path of a label map, or of a folder with a mask for each structure, as TotalSegmentator writes it: masks get the labels
         1, 2, ... in the order of their names, and of masks that overlap the last one counts, with a warning. NIfTI files need
         nibabel, all others SimpleITK. A MetaTensor has one channel and says in ``meta["space"]`` whether its affine is RAS or LPS.
-    names : mapping of labels to names, optional
-        Default: the names of masks, otherwise "label_3".
-    choose : labels and names, optional
+    names : dict from labels to names, or from names to labels, optional
+        Default: the names of masks, otherwise "label_3". A name of the background, 0, does not count.
+    choose : label, name, or several of them, optional
         All others count as background. Default: all.
     model_grid
         Take the coarser map of a network from which the labels were copied, and its voxels: see `LabelMap.on_model_grid`.
@@ -108,30 +113,45 @@ def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[in
     ImportError
         The package that reads the file is missing.
     """
+    where = sorted({*LabelMap.__init__.__kwdefaults__} & {*options})
+    if where:
+        raise TypeError(f"segments takes no {', '.join(where)}: LabelMap(array, {where[0]}=...) says where the voxels of an array are")
+    given = {} if names is None else _names_from(names)
     label_map, found = _read(source)
     label_map = label_map.on_model_grid(model_grid)
     present = [int(label) for label in np.unique(label_map.labels) if label != 0]
     if not present:
         raise ValueError("the label map has no label: every voxel is background")
-    unknown = sorted({*(names or {})} - {*present, *found})
+    unknown = sorted({*given} - {*present, *found})
     if unknown:
         warnings.warn(f"names has labels that no voxel has: {', '.join(map(str, unknown))}", stacklevel=2)
-    names = {**found, **(names or {})}
-    chosen = present if choose is None else _chosen(choose, names, present)
-    surfaces = extract_surfaces(label_map, labels=chosen, model_grid="off")
+    names = {**found, **given}
+    chosen = present if choose is None else _chosen([choose] if isinstance(choose, (str, numbers.Integral)) else choose, names, present)
+    surfaces = extract_surfaces(label_map, labels=None if choose is None else chosen, model_grid="off")
     result = decimate(surfaces, label_map=label_map if chosen == present else None, progress=progress, **(options or HALF_A_VOXEL))
     return Segments(result, names, chosen if choose is not None else sorted({*present, *names}))
 
 
 def _chosen(choose: Iterable[int | str], names: Mapping[int, str], present: list[int]) -> list[int]:
-    by_name = {name.lower(): label for label, name in names.items()}
     chosen = set()
     for word in choose:
-        label = by_name.get(word.lower()) if isinstance(word, str) else int(word)
-        if label is None or label not in {*present, *names}:
+        labels = [label for label, name in names.items() if name.lower() == word.lower()] if isinstance(word, str) else [int(word)]
+        if not labels or labels[0] not in {*present, *names}:
             raise ValueError(f"there is no structure {word!r}; there are {', '.join(names.values()) or present}")
-        chosen.add(label)
+        chosen.update(labels)
     return sorted(chosen & set(present))
+
+
+def _names_from(names: Mapping[int, str] | Mapping[str, int]) -> dict[int, str]:
+    """From labels to names, without that of the background."""
+    pairs = list(names.items()) if isinstance(names, Mapping) else [(None, None)]
+    if all(isinstance(name, str) and isinstance(label, numbers.Integral) for name, label in pairs):  # as in nnU-Net's dataset.json
+        pairs = [(label, name) for name, label in pairs]
+    if not all(isinstance(label, numbers.Integral) and isinstance(name, str) for label, name in pairs):
+        raise TypeError(f"names is a dict from labels to names, {{2: 'femur'}}, or from names to labels, not {names!r:.60}")
+    if len({label for label, _ in pairs}) < len(pairs):
+        raise ValueError("names has two names for one label")
+    return {int(label): name for label, name in pairs if label != 0}
 
 
 def _read(source: object) -> tuple[LabelMap, dict[int, str]]:

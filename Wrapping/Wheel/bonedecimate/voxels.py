@@ -107,6 +107,7 @@ class LabelMap:
     labels: NDArray[np.integer]  #: (nz, ny, nx)
     grid: VoxelGrid
     model_grid_found: str = ""  #: of `on_model_grid`: what was found, in one sentence
+    array_name: str = ""  #: of the point array of an image of VTK; empty: no name
 
     def __init__(self, labels: ArrayLike, *, axes: Literal["zyx", "xyz"] | None = None, spacing: Sequence[float] = (1, 1, 1),
                  origin: Sequence[float] = (0, 0, 0), direction: ArrayLike = IDENTITY, affine: ArrayLike | None = None,
@@ -192,7 +193,7 @@ class LabelMap:
         labels, dimensions, origin, spacing, sentence = found
         made = LabelMap(np.frombuffer(labels, self.labels.dtype).reshape(dimensions[::-1]), axes="zyx", spacing=spacing, origin=origin,
                         direction=self.grid.direction, layers=self.grid.layers)
-        made.model_grid_found = sentence
+        made.model_grid_found, made.array_name = sentence, self.array_name
         return made
 
     @classmethod
@@ -211,7 +212,7 @@ class LabelMap:
 
 def is_default(spacing: Sequence[float], origin: Sequence[float], direction: ArrayLike) -> bool:
     """Whether nothing says where the voxels are."""
-    return tuple(spacing) == (1, 1, 1) and tuple(origin) == (0, 0, 0) and direction is IDENTITY
+    return np.array_equal(spacing, (1, 1, 1)) and np.array_equal(origin, (0, 0, 0)) and direction is IDENTITY
 
 
 # Types that a function takes as a label map.

@@ -51,7 +51,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
         self._options = _core.Options()
         self._forget_report()
         self._interrupted = False
-        self._error_code = self._percent = 0
+        self._error_code = self._percent = self._time_of_run = 0
         self._label = 0
         for name, value in properties.items():
             if name not in PROPERTIES:
@@ -209,22 +209,25 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
 
     def Update(self, *arguments) -> None:
         super().Update(*arguments)
+        if self.GetExecutive().GetPipelineMTime() > self._time_of_run:  # VTK does not run a filter if one before it fails
+            self._error_code = self.INPUT_FAILED
+            self._forget_report()
         if self._interrupted:
             self._interrupted = False
             raise KeyboardInterrupt
 
     def GetErrorCode(self) -> int:
-        """Why the last update failed: 0, REJECTED_RUN or NOT_PROVED; the error event has the reason."""
+        """Why the last update failed: 0, REJECTED_RUN, NOT_PROVED or INPUT_FAILED; the error event has the reason."""
         return self._error_code
 
     def RequestData(self, _request, inInfo, outInfo) -> int:
         self._error_code = self._percent = 0
+        self._time_of_run = self.GetExecutive().GetPipelineMTime()
         self._forget_report()
         self.SetProgressText("Simplifying the surface")
-        outputs = [vtkPolyData.GetData(outInfo, port) for port in range(2)]
         try:
             data = self._with_label_map(vtkPolyData.GetData(inInfo[0]), vtkImageData.GetData(inInfo[2]))
-            return self._run(data, vtkPolyData.GetData(inInfo[1]), *outputs)
+            return self._run(data, vtkPolyData.GetData(inInfo[1]), *(vtkPolyData.GetData(outInfo, port) for port in range(2)))
         except (ValueError, MemoryError) as problem:
             return self._fail(str(problem) or "out of memory")
         except KeyboardInterrupt:  # VTK would print it and go on
@@ -233,8 +236,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
 
     def _forget_report(self) -> None:
         """No figure of a run outlives its surface if the next one fails."""
-        self._entries, self._json, self._stop = _core.empty_report(), _core.empty_json(), _core.StopReason.NotRun
-        self._rejected_edits = 0
+        self._entries, self._json, self._stop, self._rejected_edits = _core.empty_report(), _core.empty_json(), _core.StopReason.NotRun, 0
 
     def _with_label_map(self, data: vtkPolyData, label_map: vtkImageData | None) -> vtkPolyData:
         """The input, or a copy with the grid of the label map. Warns of voxels in which both differ."""
@@ -253,8 +255,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
 
     def _run(self, data: vtkPolyData, reference: vtkPolyData | None, output: vtkPolyData, input_copy: vtkPolyData) -> int:
         outcome, surface = run(data, self._options, self._goes_on, reference, self._input_arrays(data), self._kept())
-        self._entries, self._json, self._stop = outcome["entries"], outcome["json"], outcome["stop"]
-        self._rejected_edits = outcome["rejected_edits"]
+        self._entries, self._json, self._stop, self._rejected_edits = (outcome[name] for name in ("entries", "json", "stop", "rejected_edits"))
         status = outcome["status"]
         if status == _core.InputStatus.NoTriangles:
             self._say("WarningEvent", outcome["problem"])
@@ -392,7 +393,7 @@ for _mode in _core.Mode:
 for _value, _name in enumerate(("NO_PROOF", "PROVED", "VIOLATED", "UNDECIDED", "PROOF_ABORTED")):
     setattr(vtkBoneDecimate, _name, _value)
 vtkBoneDecimate.TOLERANCE_ARRAY, vtkBoneDecimate.LABEL_ARRAY = 0, 1
-for _value, _name in enumerate(("REJECTED_VALUE", "REJECTED_RUN", "NOT_PROVED"), 40001):  # as in C++
+for _value, _name in enumerate(("REJECTED_VALUE", "REJECTED_RUN", "NOT_PROVED", "INPUT_FAILED"), 40001):  # as in C++
     setattr(vtkBoneDecimate, _name, _value)
 for _enumeration in (_core.Mode, _core.ErrorPreset, _core.KeepVoxels, _core.StopReason):
     for _member in _enumeration:

@@ -138,6 +138,10 @@ private:
       labels = std::move(found.Values);
     }
     labels.erase(std::remove(labels.begin(), labels.end(), this->Options.Background), labels.end());
+    if (this->IsGood() && this->Options.Labels.empty() && labels.size() > MaxLabels)
+    {
+      this->Result.Status = LabelSurfaceStatus::TooManyLabels;
+    }
     labels.push_back(this->Options.Background);
     this->Result.Source.Values = std::move(labels);
   }
@@ -249,8 +253,11 @@ const char* LabelSurfaceMessage(LabelSurfaceStatus status)
     "the label map is one voxel thin; extract closed surfaces",
     "the grid of the label map needs finite values, a positive spacing, unit vectors that are not "
     "in one plane as axes, and positions of layers that ascend from 0, if there are any",
-    "a label is larger than 2^63 - 1", "the surfaces have more than 2^31 - 1 points or triangles",
-    "the extraction was aborted", "a slab of a label map needs at least two of its layers" };
+    "a label is larger than 2^63 - 1",
+    "the image has more than 1,000 different values, which are no labels: gray values have to be "
+    "segmented first, or labels chosen",
+    "the surfaces have more than 2^31 - 1 points or triangles", "the extraction was aborted",
+    "a slab of a label map needs at least two of its layers" };
   return messages[static_cast<std::size_t>(status)];
 }
 

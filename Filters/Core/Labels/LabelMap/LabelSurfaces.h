@@ -46,6 +46,9 @@ struct LabelSurfaceOptions
   std::optional<LayerRange> Slab = std::nullopt;
 };
 
+/// Besides the background: an image with more values has no labels but gray values.
+constexpr std::size_t MaxLabels = 1000;
+
 enum class LabelSurfaceStatus : int
 {
   Good = 0,
@@ -53,11 +56,12 @@ enum class LabelSurfaceStatus : int
   TooThin,         ///< Open surfaces need at least two voxels along each axis.
   BadGrid,         ///< VoxelGrid::IsValid()
   LabelOutOfRange, ///< A label beyond 2^63 - 1.
+  TooManyLabels,   ///< More than MaxLabels, unless labels were chosen: gray values.
   TooLarge,        ///< More than 2^31 - 1 points or triangles.
   Aborted,         ///< By the monitor.
   BadSlab          ///< Fewer than two layers, or layers out of the grid.
 };
-constexpr int NumberOfLabelSurfaceStatuses = 8;
+constexpr int NumberOfLabelSurfaceStatuses = 9;
 
 /// What is wrong, and what to do: one sentence without a period. Empty for Good.
 const char* LabelSurfaceMessage(LabelSurfaceStatus status);

@@ -39,6 +39,16 @@ VoxelBox BoxOf(const VoxelGrid& grid)
   return { { 0, 0, 0 }, { size[0], size[1], size[2] } };
 }
 
+std::int64_t NumberOfVoxels(const VoxelBox& box)
+{
+  return box.Count[0] * box.Count[1] * box.Count[2];
+}
+
+bool Contains(const VoxelBox& box, std::size_t axis, std::int64_t index)
+{
+  return index >= box.First[axis] && index < box.First[axis] + box.Count[axis];
+}
+
 /// The rows of an image as indices of labels.
 class ImageRows
 {
@@ -90,8 +100,10 @@ private:
 class SliceSum
 {
 public:
-  SliceSum(const VoxelBox& box, const VoxelCheckSettings& settings)
+  /// @param image Outside of it, voxels that are background in both are not compared.
+  SliceSum(const VoxelBox& box, const VoxelBox& image, const VoxelCheckSettings& settings)
     : Box(box)
+    , Image(image)
     , Background(settings.NumberOfLabels - 1)
   {
     this->Changes.OfLabel.resize(static_cast<std::size_t>(settings.NumberOfLabels));
@@ -101,9 +113,16 @@ public:
   void AddRow(const std::vector<Index>& before, const std::vector<Index>& after, std::int64_t y,
     std::int64_t z, std::int64_t edge)
   {
+    const bool isRowOfImage = Contains(this->Image, 1, y + this->Box.First[1]) &&
+      Contains(this->Image, 2, z + this->Box.First[2]);
     for (std::int64_t x = edge; x < this->Box.Count[0] - edge; ++x)
     {
       const std::size_t i = static_cast<std::size_t>(x);
+      const bool isOfImage = isRowOfImage && Contains(this->Image, 0, x + this->Box.First[0]);
+      if (!isOfImage && before[i] == this->Background && after[i] == this->Background)
+      {
+        continue;
+      }
       ++this->Changes.Compared;
       this->Count(before[i], &LabelChanges::Voxels);
       if (before[i] != after[i])
@@ -131,6 +150,7 @@ private:
   }
 
   const VoxelBox& Box;
+  const VoxelBox& Image;
   Index Background;
 };
 
@@ -158,6 +178,7 @@ struct Comparison
 {
   const VoxelRows& Result;
   VoxelBox Box;
+  VoxelBox Image; // what is outside of the box is background in both surfaces
   bool IsOpen;
   const VoxelCheckSettings& Settings;
 
@@ -177,6 +198,11 @@ struct Comparison
         slices[slice] = this->CompareSlice(reference, z);
       });
     VoxelChanges changes = Total(slices, this->Settings.NumberOfLabels);
+    const std::int64_t outside = this->IsOpen
+      ? 0
+      : NumberOfVoxels(this->Image) - NumberOfVoxels(Intersection(this->Image, this->Box));
+    changes.Compared += outside;
+    changes.OfLabel.back().Voxels += outside;
     changes.IsDone = done;
     return changes;
   }
@@ -186,7 +212,7 @@ private:
   VoxelChanges CompareSlice(Reference& reference, std::int64_t z) const
   {
     const std::int64_t edge = this->IsOpen ? 1 : 0;
-    SliceSum sum(this->Box, this->Settings);
+    SliceSum sum(this->Box, this->Image, this->Settings);
     VoxelRows::Slice result(this->Result, this->Box);
     result.Begin(z);
     std::vector<Index> before;
@@ -277,7 +303,8 @@ VoxelChanges CompareVoxels(const LabeledSurface& reference, const LabeledSurface
   // ones.
   const bool endsAtImage = isOpen && settings.Grid.Dimensions[0] > 0;
   const VoxelBox box = endsAtImage ? Intersection(both, BoxOf(settings.Grid)) : both;
-  const Comparison comparison = { after, box, isOpen, settings };
+  const VoxelBox image = settings.Grid.Dimensions[0] > 0 ? BoxOf(settings.Grid) : both;
+  const Comparison comparison = { after, box, image, isOpen, settings };
   return comparison.Run([&] { return SurfaceReference(before, box, isOpen); }, monitor);
 }
 
@@ -292,7 +319,7 @@ VoxelChanges CompareVoxels(const LabelImage& image, const std::vector<std::int64
   const VoxelBox box =
     result.Surface.Triangles.empty() || isOpen ? whole : Union(whole, after.Bounds());
   const ImageRows rows(image, values);
-  const Comparison comparison = { after, box, isOpen, settings };
+  const Comparison comparison = { after, box, whole, isOpen, settings };
   return comparison.Run([&] { return ImageReference(rows, box, background); }, monitor);
 }
 }

@@ -55,11 +55,12 @@ struct VoxelCheckSettings
   int Threads = 0;          ///< 0: one per processor. Has no effect on the result.
 };
 
-/// Compares all voxels that either surface touches.
+/// Compares the voxels of the image of the grid, and those outside of it that a surface encloses.
+/// If the image is not known: all voxels of the box around both surfaces.
 VoxelChanges CompareVoxels(const LabeledSurface& reference, const LabeledSurface& result,
   const VoxelCheckSettings& settings, const Monitor& monitor = {});
 
-/// Compares the voxels of the image, and those outside of it that the surface touches, which are
+/// Compares the voxels of the image, and those outside of it that the surface encloses, which are
 /// background.
 /// @param image Its grid is used, not that of the settings.
 /// @param values The values of the labels by index, the background last; other values count as

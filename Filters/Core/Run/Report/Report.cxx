@@ -87,8 +87,8 @@ std::vector<std::string> SmoothingWarnings(const Report& report)
         : report.Labels.size() > 1
         ? "the surface was not smoothed: it has several labels, which are smoothed in the run that "
           "extracts them from their label map (Smoothing smooths it anyway)"
-        : "the surface was not smoothed: it is not the unmodified surface of a binary segmentation "
-          "(Smoothing smooths it anyway)");
+        : "the surface was not smoothed: it is not the unmodified surface of one label of a "
+          "segmentation (Smoothing smooths it anyway)");
   }
   return warnings;
 }
@@ -204,11 +204,11 @@ void StageSeconds::AddStages(const StageSeconds& ofPart)
 const char* StopReasonSentence(StopReason reason)
 {
   static const char* const sentences[] = { "Nothing was run.",
-    "The requested number of triangles was reached.", "The requested largest error was reached.",
-    "No triangle was to be removed.",
-    ("No further collapse is allowed: it would change the topology, a boundary, a fragment or "
-     "constrained vertices."),
-    "The run was aborted; the surface is valid but larger than requested.",
+    "The requested number of triangles or reduction was reached.",
+    "The requested largest error was reached.", "No triangle was to be removed.",
+    ("No further collapse is allowed: it would change the topology, a boundary, a fragment, "
+     "constrained vertices or what else was requested."),
+    "The run was aborted; the surface is valid, but may have more triangles than requested.",
     ("The handles of the surface prevent fewer triangles: most collapses that are left "
      "would close one.") };
   return WordOf(sentences, reason);
@@ -315,6 +315,11 @@ std::vector<std::string> InputWarnings(const Report& report)
 {
   const CleaningStatistics& found = report.Cleaning;
   std::vector<std::string> warnings = IdleWarnings(report);
+  if (report.Requested.MaximumError > 0.0 && !FindMode(report.Requested.Mode).ProvesError())
+  {
+    warnings.push_back(std::string("nothing is proved in ") + FindMode(report.Requested.Mode).Name +
+      " mode: its largest error only limits the distance of new vertices");
+  }
   const std::vector<std::string> ofSize = SizeWarnings(report.Size);
   warnings.insert(warnings.end(), ofSize.begin(), ofSize.end());
   if (report.Voxel.From == VoxelFigures::Source::Edges)

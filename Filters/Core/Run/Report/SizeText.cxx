@@ -5,6 +5,7 @@
 #include "Mesh/BoneSize.h"
 #include "Options/NumberRange.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace bonedecimate
@@ -54,5 +55,16 @@ std::vector<std::string> SizeWarnings(const SizeFigures& size)
       " was used");
   }
   return warnings;
+}
+
+//------------------------------------------------------------------------------
+std::string UnitsWarning(double before, double after)
+{
+  constexpr double most = 9.0;
+  const bool areAlike =
+    before == 0.0 || after == 0.0 || std::max(before / after, after / before) < most;
+  return areAlike ? std::string()
+                  : "the diagonal of the result is " + SentenceNumber(after / before) +
+      " times that of the reference: the surfaces may have different units";
 }
 }

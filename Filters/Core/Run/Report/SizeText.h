@@ -20,6 +20,11 @@ std::string SizeMessage(const SizeFigures& size, InputStatus status);
 
 /// Warnings: the size is odd, or a smaller error than the requested one was used.
 std::vector<std::string> SizeWarnings(const SizeFigures& size);
+
+/// A warning for two surfaces of which one is nine or more times as large as the other: bones of
+/// one unit hardly are; mm, cm, inches and m are. Empty for others.
+/// @param before,after Diagonals of the reference and the result, mm.
+std::string UnitsWarning(double before, double after);
 }
 
 #endif
