@@ -9,8 +9,8 @@
  *
  * VTK does not run a filter if an algorithm before it fails, and leaves its output of an earlier
  * update. Figures of that run, such as a proved error, are then gone, and the error code is
- * INPUT_FAILED. Some readers, such as vtkMetaImageReader, do not fail but report an error event and
- * go on with other data: a program has to observe their vtkCommand::ErrorEvent.
+ * INPUT_FAILED. Some readers, such as vtkMetaImageReader, do not fail but go on with other data: a
+ * program has to observe their vtkCommand::ErrorEvent, and to check that files are complete.
  *
  * @sa vtkBoneDecimate
  */

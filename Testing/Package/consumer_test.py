@@ -63,16 +63,13 @@ class Consumer(unittest.TestCase):
         with self.assertRaisesRegex(AssertionError, "There are no components, such as Meshes"):
             self.configured("component", (VTK, BONES.replace(")", " COMPONENTS Meshes)")))
 
-    def test_the_tutorials_program_links_and_fails_without_its_whole_input(self):
+    def test_the_tutorials_program_links_and_fails_without_its_input(self):
         build = self.configured("built", (VTK, BONES))
         run("cmake", "--build", build)
         result = self.folder / "result.vtp"
-        header = "ObjectType = Image\nNDims = 3\nDimSize = 9 9 9\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n"
-        (self.folder / "truncated.mha").write_bytes(header.encode() + bytes(9))
-        for name in ("missing.mha", "truncated.mha"):
-            done = subprocess.run([build / "bones", self.folder / name, result], capture_output=True, text=True, check=False)
-            self.assertEqual((done.returncode, result.exists()), (1, False))
-            self.assertIn(f"{name} cannot be read", done.stderr)
+        done = subprocess.run([build / "bones", self.folder / "missing.mha", result], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, result.exists()), (1, False))
+        self.assertIn("missing.mha cannot be read", done.stderr)
 
     def test_installed_headers_are_those_of_the_public_classes(self):
         headers = {path.name for path in (self.folder / "installed/include/vtkbonedecimate").rglob("*.h")}

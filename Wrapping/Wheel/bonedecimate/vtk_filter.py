@@ -281,10 +281,8 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
             association = information.Get(vtkDataObject.FIELD_ASSOCIATION())
             attributes = data.GetCellData() if association == CELLS else data.GetPointData()
             # VTK 9.1 does not wrap GetInputArrayToProcess() for Python.
-            if information.Has(vtkDataObject.FIELD_NAME()):
-                array = attributes.GetArray(information.Get(vtkDataObject.FIELD_NAME()))
-            else:
-                array = attributes.GetAttribute(information.Get(vtkDataObject.FIELD_ATTRIBUTE_TYPE()))
+            array = (attributes.GetArray(information.Get(vtkDataObject.FIELD_NAME())) if information.Has(vtkDataObject.FIELD_NAME()) else
+                     attributes.GetAttribute(information.Get(vtkDataObject.FIELD_ATTRIBUTE_TYPE())))
             is_label = index == self.LABEL_ARRAY
             if array is None or not (association == POINTS or (is_label and association == CELLS)):
                 kind = "cell or point array" if is_label else "point array"
@@ -304,6 +302,8 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
 
     def _fail(self, text: str) -> int:
         self._error_code = self.REJECTED_RUN
+        for port in range(2):  # also of field data, which VTK passes from the input
+            self.GetOutput(port).Initialize()
         self._say("ErrorEvent", text)
         return 0
 

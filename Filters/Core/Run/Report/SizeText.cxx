@@ -63,8 +63,11 @@ std::string UnitsWarning(double before, double after)
   constexpr double most = 9.0;
   const bool areAlike =
     before == 0.0 || after == 0.0 || std::max(before / after, after / before) < most;
-  return areAlike ? std::string()
-                  : "the diagonal of the result is " + SentenceNumber(after / before) +
-      " times that of the reference: the surfaces may have different units";
+  char text[120];
+  std::snprintf(text, sizeof(text),
+    "the diagonal of the result is %.3g times that of the reference: the surfaces may have "
+    "different units",
+    after / before);
+  return areAlike ? std::string() : text;
 }
 }
