@@ -5,7 +5,7 @@
 import csv
 import re
 
-from application import UNMEASURED, ApplicationTest, main, torus, write
+from application import UNMEASURED, USAGE, ApplicationTest, main, torus, write
 
 CUT_OFF = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3"  # without a last line end
 
@@ -76,6 +76,9 @@ class BatchTable(ApplicationTest):
         self.assertEqual(self.rows(), first)
         self.assertRegex(first[0]["message"], "^warning: the last line")
         self.assertNotIn("by an earlier run", self.path("out/summary.html").read_text(encoding="utf-8"))
+
+    def test_a_folder_without_a_volume_is_named_where_a_surface_was_expected(self):
+        self.fail_with(USAGE, "bones", "ct.stl", "--iso", 226, says="'bones' has neither a DICOM series nor slices of one volume")
 
     def test_the_page_has_the_width_of_the_window(self):
         write(torus(), self.path("bones/a.stl"))

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """bonedecimate certify REFERENCE RESULT: bounds, status and exit codes; certify RESULT --labels MAP: voxels."""
 
+import re
+
 import vtk
 
 from application import NOT_WRITTEN, REJECTED, SURFACES, UNMEASURED, USAGE, ApplicationTest, main, read, torus, write
@@ -209,6 +211,18 @@ class CertifyUnits(ApplicationTest):
         self.assertIn("warning: the diagonal of the result is 0.001 times that of the reference: the surfaces may have different units", completed.stdout)
         write(scaled(torus(), 0.2), self.path("smaller.ply"))
         self.assertNotIn("units", self.succeed("certify", "bone.ply", "smaller.ply").stdout)
+
+
+class CertifyColors(ApplicationTest):
+    def test_begin_at_a_tolerance_that_is_exceeded_and_otherwise_below_the_largest_distance(self):
+        write(torus(), self.path("bone.ply"))
+        write(scaled(torus(), 0.99), self.path("smaller.ply"))
+        steps = []
+        for tolerance in (0.01, 10):
+            self.run_program("certify", "bone.ply", "smaller.ply", "--tolerance", tolerance, "--page", "c.html", "--quiet")
+            (step,) = re.findall(r'"threshold":(\d+)', self.path("c.html").read_text(encoding="utf-8"))
+            steps.append(int(step))
+        self.assertTrue(0 < steps[0] < 30 and 100 < steps[1] < 250, steps)
 
 
 class CertifyFolders(ApplicationTest):

@@ -3,6 +3,7 @@
 """--segments: from a label map to the surfaces of its segments."""
 
 import csv
+import json
 import os
 import resource
 
@@ -285,7 +286,20 @@ class Segments(ApplicationTest):
         self.assertNotIn("walls between labels", self.succeed("plain.mha", "closed", *words).stdout)
         self.assertTrue(self.path("closed/label_7.stl").exists())
         self.assertIn("walls between labels", self.succeed("plain.mha", "all.stl", *words[:-2]).stdout)
+        self.assertNotIn("walls between labels", self.succeed("plain.mha", "one.stl", "--segments", "1", *words[2:-2]).stdout)
         self.fail_with(USAGE, "plain.mha", "0.45", *words, says="'0.45' is no folder; an option takes its value behind its name")
+
+    def test_a_surface_of_several_labels_is_not_smoothed_and_the_warning_says_so(self):
+        self.succeed("plain.mha", "all.vtp", "--segments", "all", "--target-reduction", 0)
+        self.assertIn("was not smoothed: it has several labels", self.succeed("smooth", "all.vtp", "smooth.vtp").stdout)
+
+    def test_the_page_begins_with_the_voxels_that_changed(self):
+        words = ("--segments", "all", "--max-error", "voxel", "--keep-voxels", "off", "--smooth", "auto")
+        self.succeed("plain.mha", "bones/", *words)
+        changed = json.loads(self.path("bones/report.json").read_text(encoding="utf-8"))["voxels"]["changed"]
+        self.assertGreater(changed, 0)
+        page = self.path("bones/index.html").read_text(encoding="utf-8")
+        self.assertIn(f"labels in the input kept; {changed:,} voxels have another label", page)
 
     def test_a_batch_makes_a_folder_for_each_map_and_goes_on_where_it_ended(self):
         maps = self.path("maps")

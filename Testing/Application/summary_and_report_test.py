@@ -84,6 +84,11 @@ class SummaryAndReport(ApplicationTest):
             self.assertIn(cell, text)
             self.assertIn(cell.replace("->", "&rarr;"), page)
 
+    def test_smoothing_without_a_largest_error_proves_nothing_because_none_was_requested(self):
+        for mode in ("Fast", "Balanced"):
+            said = self.succeed("in.ply", "out.vtp", "--mode", mode, "--smooth", 0.1).stdout
+            self.assertIn("proved          nothing: no largest error was requested\n", said)
+
     def test_no_distances_where_none_are_measured(self):
         text = self.succeed("in.ply", "out.vtp", "--measure", "off", "--report", "report.json").stdout
         self.assertNotIn(" mm", text.replace(" mm, the diagonal", ""))

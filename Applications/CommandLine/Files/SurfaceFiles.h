@@ -39,7 +39,7 @@ vtkSmartPointer<vtkPolyData> WriteSurface(vtkPolyData* surface, const std::strin
   const std::string& target, bool isCompressed = false);
 
 /// What this format cannot hold of the surface, for people; empty if it holds all of it.
-/// @param isDivided Whether each label gets a file of its own.
+/// @param isDivided Whether each label, or the only one, has a file of its own.
 std::string LossText(vtkPolyData* surface, const SurfaceFormat& format, bool isDivided = false);
 }
 

@@ -177,7 +177,8 @@ public:
     }
     for (const SurfaceFormat* format : FormatsOfSurfaces(this->Requested))
     {
-      const bool isDivided = WritesSegments(this->Requested) && this->Requested.Also.empty();
+      const bool isDivided = this->Subject.Segments.size() == 1 ||
+        (WritesSegments(this->Requested) && this->Requested.Also.empty());
       const std::string loss = LossText(this->Rounding.GetInFile(), *format, isDivided);
       if (!loss.empty())
       {

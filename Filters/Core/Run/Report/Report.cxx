@@ -80,13 +80,14 @@ std::vector<std::string> SmoothingWarnings(const Report& report)
   std::vector<std::string> warnings;
   if (smoothing.From != Source::NotRequested && !smoothing.HasRun())
   {
-    warnings.emplace_back(smoothing.From == Source::GrayLevel
-        ? "the surface was not smoothed: it is that of a gray-level volume, which holds more "
-          "detail "
-          "than its voxels (Smoothing smooths it anyway)"
-        : report.Labels.size() > 1
+    const bool isGray = smoothing.From == Source::GrayLevel;
+    const bool isOfLabelMap = report.Voxels.Values.size() > 2; // labels and the background
+    warnings.emplace_back(isOfLabelMap || (report.Labels.size() > 1 && !isGray)
         ? "the surface was not smoothed: it has several labels, which are smoothed in the run that "
           "extracts them from their label map (Smoothing smooths it anyway)"
+        : isGray
+        ? "the surface was not smoothed: it is that of a gray-level volume, which holds more "
+          "detail than its voxels (Smoothing smooths it anyway)"
         : "the surface was not smoothed: it is not the unmodified surface of one label of a "
           "segmentation (Smoothing smooths it anyway)");
   }
