@@ -21,7 +21,7 @@ from .checks import DecimationError
 from .comparison import Comparison
 from .option_table import OptionTable
 
-PACKAGE_VERSION = "0.1.0"  # of the Python package that this module was made for
+PACKAGE_VERSION = "1.0.0"  # of the Python package that this module was made for
 TOLERANCE = "Tolerance"  # mm, point array of what goes in
 VIOLATED_OR_UNDECIDED = (6, 7)  # exit codes of the command certify
 CAP_TOLERANCE = 0.01  # mm, how far points of a boundary may lie from its plane
