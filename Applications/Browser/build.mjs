@@ -58,6 +58,8 @@ const script = await bundle(at('app', 'app.js'), [modules(await bundle(at('npm',
 const licenses = await Promise.all([at('viewer', 'LICENSES.txt'), at('app', 'LICENSES.txt')].map((file) => readFile(file, 'utf8')));
 const head = (await block('head', { title: 'Simplify a bone surface, or compare two' })).replace(/(Security-Policy" content=")[^"]*/, `$1${POLICY}`);
 const viewer = await block('viewer', {
+  before: 'before',
+  after: 'after',
   legend: 'Distance to the other surface, mm',
   parts: 'Parts',
   rounding: 'Between points, colors are interpolated: inside a large triangle the distance may be smaller or larger.',

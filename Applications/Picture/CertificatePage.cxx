@@ -13,6 +13,10 @@
 #include "VoxelSection.h"
 
 #include <array>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -21,6 +25,91 @@ namespace bonedecimate
 namespace
 {
 constexpr int Decimals = 6;
+constexpr int FewDecimals = 4;
+constexpr int MostDecimals = 17;
+const std::array<std::string, 2> Directions = { "reference_to_result.", "result_to_reference." };
+
+double ToleranceOf(const ReportFields& report)
+{
+  return report.Number("tolerance").value_or(0.0);
+}
+
+/// Rounded down, but not to a tolerance that the bound exceeds.
+std::string LowerText(double lower, double tolerance, int decimals)
+{
+  std::string text = LowerBoundText(lower, decimals);
+  while (
+    lower > tolerance && std::strtod(text.c_str(), nullptr) <= tolerance && decimals < MostDecimals)
+  {
+    text = LowerBoundText(lower, ++decimals);
+  }
+  return text;
+}
+
+/// Rounded up, but not above a tolerance that the bound keeps.
+std::string UpperText(double upper, double tolerance, int decimals)
+{
+  std::string text = UpperBoundText(upper, decimals);
+  while (
+    upper <= tolerance && std::strtod(text.c_str(), nullptr) > tolerance && decimals < MostDecimals)
+  {
+    text = UpperBoundText(upper, ++decimals);
+  }
+  return text;
+}
+
+/// "0.5151 mm" and both bounds; "at least" unless they agree.
+std::string ExceedingText(const ReportFields& report, const std::string& path)
+{
+  const double tolerance = ToleranceOf(report);
+  const double lower = report.Number(path + "lower").value_or(0.0);
+  const std::optional<double> upper = report.Number(path + "upper");
+  const bool doAgree = upper && *upper - lower < std::pow(10.0, -FewDecimals);
+  return (doAgree ? "" : "at least ") + LowerText(lower, tolerance, FewDecimals) +
+    " mm <small>(proved: " + LowerText(lower, tolerance, Decimals) +
+    (upper ? " to " + UpperText(*upper, tolerance, Decimals) : " or more") + ")</small>";
+}
+
+std::array<double, 3> PositionOf(const ReportFields& report, const std::string& path)
+{
+  const auto value = [&](const char* axis) { return report.Number(path + axis).value_or(0.0); };
+  return { value("x"), value("y"), value("z") };
+}
+
+/// The index of the direction with the larger lower bound.
+std::size_t FartherOf(const ReportFields& report)
+{
+  const auto lower = [&](std::size_t side)
+  { return report.Number(Directions[side] + "lower").value_or(0.0); };
+  return lower(0) < lower(1) ? 1 : 0;
+}
+
+/// The path of the direction in which open boundaries violate the tolerance, if nothing else does;
+/// empty otherwise.
+std::string ViolatingBoundary(const ReportFields& report)
+{
+  const auto isViolated = [&report](const std::string& path)
+  { return report.Text(path + "status") == "violated"; };
+  std::string found;
+  for (const std::string& direction : Directions)
+  {
+    found = isViolated("boundary_" + direction) ? "boundary_" + direction : found;
+  }
+  return isViolated(Directions[0]) || isViolated(Directions[1]) ? std::string() : found;
+}
+
+/// From SOURCE_DATE_EPOCH, which makes outputs reproducible, or the clock.
+std::string DateText()
+{
+  const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t time = fixed && *fixed
+    ? static_cast<std::time_t>(std::strtoll(fixed, nullptr, 10))
+    : std::time(nullptr);
+  const std::tm* const utc = std::gmtime(&time);
+  char text[40] = "";
+  return utc && std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", utc) > 0 ? text
+                                                                                 : "not known";
+}
 
 std::string BoundsText(const ReportFields& report, const std::string& path)
 {
@@ -63,16 +152,18 @@ std::string LeftOutList(const ReportFields& report)
 /// The bound below, at the position that has it.
 LargestDistance LargestOf(const ReportFields& report, const std::string& path)
 {
-  const auto value = [&](const char* name) { return report.Number(path + name).value_or(0.0); };
-  return { report.Number(path + "triangle").value_or(-1.0) < 0.0 ? 0.0 : value("lower"),
-    { value("x"), value("y"), value("z") } };
+  return { report.Number(path + "triangle").value_or(-1.0) < 0.0
+      ? 0.0
+      : report.Number(path + "lower").value_or(0.0),
+    PositionOf(report, path) };
 }
 
 /// What is not compared, in a sentence; empty if there is nothing.
 std::string ExceptionsText(const ReportFields& report)
 {
   const std::string boundaries = report.Text("boundaries");
-  const bool areOfOne = boundaries == "reference_only" || boundaries == "result_only";
+  const bool areOfOne = ViolatingBoundary(report).empty() &&
+    (boundaries == "reference_only" || boundaries == "result_only");
   std::string text = areOfOne ? "open boundaries, which only one surface has" : "";
   for (int i = 0; report.Number("left_out." + std::to_string(i) + ".count"); ++i)
   {
@@ -82,8 +173,62 @@ std::string ExceptionsText(const ReportFields& report)
   return text.empty() ? text : " Exceptions: " + text + ".";
 }
 
+/// The figure and its meaning: of the open boundaries, if they alone violate the tolerance.
+std::array<std::string, 2> Violation(const ReportFields& report, const std::string& frame)
+{
+  const auto at = [&](const std::string& path)
+  { return " at " + AnatomicalText(PositionOf(report, path), frame) + " mm"; };
+  const std::string boundary = ViolatingBoundary(report);
+  if (boundary.empty())
+  {
+    const std::size_t side = FartherOf(report);
+    return { ExceedingText(report, ""),
+      (side == 0 ? "A point of the reference" : "A point of the result") + at(Directions[side]) +
+        " is that far from the " + (side == 0 ? "result." : "reference.") };
+  }
+  const std::string apart = " Apart from that, no point of either surface is farther than " +
+    UpperText(report.Number("upper").value_or(0.0), ToleranceOf(report), FewDecimals) +
+    " mm from the other.";
+  const std::string boundaries = report.Text("boundaries");
+  if (boundaries == "reference_only" || boundaries == "result_only")
+  {
+    const std::string surface = boundaries == "result_only" ? "result" : "reference";
+    return { "open boundary",
+      "Only the " + surface + " has open boundaries, one" + at(boundary) + "." + apart };
+  }
+  return { ExceedingText(report, boundary),
+    "An open boundary" + at(boundary) + " is that far from those of the other surface." + apart };
+}
+
+std::string CountOf(const ReportFields& report, const std::string& name)
+{
+  return GroupedText(report.Number(name).value_or(0.0));
+}
+
+/// The components of the result, and how many of the reference it lacks.
+std::string ComponentsTile(const ReportFields& report)
+{
+  const std::optional<double> before = report.Number("reference.components");
+  const std::optional<double> after = report.Number("result.components");
+  const std::size_t missing = report.NamesBelow("missing.").size() / 5; // figures of each
+  std::string words = "components (separate pieces) in the result";
+  if (missing > 0)
+  {
+    words += "; missing" +
+      (missing > 1 ? " " + std::to_string(missing) + ", the largest with " : std::string(": ")) +
+      CountOf(report, "missing.0.triangles") + " triangles, " +
+      ShortText(report.Number("missing.0.diagonal").value_or(0.0)) + " mm, at " +
+      FixedText(report.Number("missing.0.x").value_or(0.0), 1) + ", " +
+      FixedText(report.Number("missing.0.y").value_or(0.0), 1) + ", " +
+      FixedText(report.Number("missing.0.z").value_or(0.0), 1);
+  }
+  return FigureTile(CountOf(report, "result.components") +
+      (after > before ? " instead of " : " of ") + CountOf(report, "reference.components"),
+    words, missing > 0 || after < before);
+}
+
 /// How far, and whether pieces are missing.
-std::string Headline(const ReportFields& report)
+std::string Headline(const ReportFields& report, const std::string& frame)
 {
   const std::optional<double> upper = report.Number("upper");
   if (!upper)
@@ -92,27 +237,21 @@ std::string Headline(const ReportFields& report)
   }
   const std::string status = report.Text("status");
   const bool isKept = status == "proved" || status == "not_requested";
-  const bool isViolated = status == "violated";
-  const auto count = [&report](const char* name)
-  { return GroupedText(report.Number(name).value_or(0.0)); };
+  const auto [distance, meaning] = status == "violated"
+    ? Violation(report, frame)
+    : std::array<std::string, 2>{ "at most " + UpperText(*upper, ToleranceOf(report), FewDecimals) +
+          " mm",
+        "No point of either surface is farther from the other." };
   std::string tiles;
-  if (const std::optional<double> before = report.Number("reference.components"))
+  if (report.Number("reference.components"))
   {
-    const std::optional<double> after = report.Number("result.components");
-    const std::string relation = after > before ? " instead of " : " of ";
-    tiles = FigureTile(count("result.components") + relation + count("reference.components"),
-              "components (separate pieces) in the result", after < before) +
-      FigureTile(
-        count("result.triangles"), "triangles; the reference has " + count("reference.triangles"));
+    tiles = ComponentsTile(report) +
+      FigureTile(CountOf(report, "result.triangles"),
+        "triangles; the reference has " + CountOf(report, "reference.triangles"));
   }
   return PageBlock("certificate headline",
-    { { "kind", isKept ? "headline" : "headline open" },
-      { "distance",
-        isViolated ? "at least " + LowerBoundText(report.Number("lower").value_or(0.0), Decimals)
-                   : "at most " + BoundText(*upper) },
-      { "meaning",
-        isViolated ? "A point of one surface is that far from the other."
-                   : "No point of either surface is farther from the other." },
+    { { "kind", isKept ? "headline" : "headline open" }, { "distance", distance },
+      { "meaning", meaning },
       { "status", status == "not_requested" ? "proved" : StatusText(report) },
       { "exceptions", ExceptionsText(report) }, { "tiles", tiles } });
 }
@@ -205,6 +344,24 @@ std::string Warnings(const ReportFields& report)
 }
 }
 
+std::optional<PictureMark> MarkOfCertificate(const std::string& certificate)
+{
+  const ReportFields report(certificate);
+  const std::string boundary = ViolatingBoundary(report);
+  const std::string farther = Directions[FartherOf(report)];
+  const double lower = report.Number("lower").value_or(0.0);
+  if (boundary.empty() && LargestOf(report, farther).Distance <= 0.0)
+  {
+    return {};
+  }
+  constexpr double widthOfCloseUp = 20.0; // distances
+  const std::string largest = LowerText(lower, ToleranceOf(report), FewDecimals);
+  const std::string path = boundary.empty() ? farther : boundary;
+  return PictureMark{ PositionOf(report, path), path.find(Directions[0]) != std::string::npos,
+    boundary.empty() ? largest + " mm" : "open boundary",
+    boundary.empty() ? widthOfCloseUp * lower : std::numeric_limits<double>::infinity(), largest };
+}
+
 std::string ComposeCertificatePage(
   const std::string& certificate, const PairSubject& pair, const std::string& pictureFile)
 {
@@ -214,21 +371,24 @@ std::string ComposeCertificatePage(
   const std::string reference = EscapedXml(PlainText(report.Text("files.reference"))) +
     (iso ? " at " + GroupedText(*iso) + " HU" : "");
   const std::string map = EscapedXml(PlainText(report.Text("files.label_map")));
-  const std::string picture = pictureFile.empty() ? std::string() : EmbeddedPicture(pictureFile);
+  const std::string picture = pictureFile.empty()
+    ? std::string()
+    : EmbeddedPicture(pictureFile, "The reference and the result");
   PairSubject shown = pair;
   shown.Largest = { LargestOf(report, "reference_to_result."),
     LargestOf(report, "result_to_reference.") };
   const std::vector<FarPoint> points = FarthestOfPair(shown);
   shown.Names = { "Reference", "Result" };
-  shown.Threshold = report.Number("tolerance").value_or(0.0);
+  shown.Tolerance = ToleranceOf(report);
   const ViewerHtml viewer = PairViewer(shown, points, picture.size());
   return PageBlock("certificate",
     { { "head", PageBlock("head", { { "title", "Certificate of a bone surface: " + name } }) },
       { "name", name }, { "reference", reference.empty() ? "none" : reference },
       { "label map", map.empty() ? "none" : map },
-      { "version", EscapedXml(report.Text("version")) }, { "stopped", StoppedNotice(report) },
-      { "headline", Headline(report) }, { "distances", DistanceSection(report) },
-      { "viewer", viewer.Section }, { "picture", picture },
+      { "version", EscapedXml(report.Text("version")) }, { "date", DateText() },
+      { "stopped", StoppedNotice(report) }, { "headline", Headline(report, pair.Frame) },
+      { "distances", DistanceSection(report) }, { "viewer", viewer.Section },
+      { "picture", picture },
       { "where", WhereSection(points, pair.Frame, { "reference", "result" }) },
       { "surfaces", SurfaceSection(report) }, { "voxels", VoxelSection(report) },
       { "warnings", Warnings(report) }, { "viewer script", viewer.Script } });

@@ -20,11 +20,25 @@ constexpr std::initializer_list<double> Ends = { 1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4
 
 // A surface without any distance still needs a bar with two ends.
 constexpr double LeastRange = 0.001; // mm
+
+constexpr double PartWithinTolerance = 0.25; // of the colors
 }
 
 double ColorRange(const std::vector<double>& sorted)
 {
   return RoundUp(std::max(Quantile(sorted, 0.999), LeastRange), Ends);
+}
+
+ColorScale ScaleOfTolerance(double tolerance)
+{
+  return { tolerance * 255.0 / 128.0, tolerance };
+}
+
+Color DistanceColor(const ColorScale& scale, double distance)
+{
+  return scale.Tolerance <= 0.0   ? DistanceColor(distance / scale.Range)
+    : distance <= scale.Tolerance ? DistanceColor(PartWithinTolerance * distance / scale.Tolerance)
+                                  : DistanceColors.back();
 }
 
 Color DistanceColor(double part)

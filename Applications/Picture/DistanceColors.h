@@ -36,8 +36,21 @@ constexpr std::array<Color, 9> DistanceColors = { {
   { 0.310382, 0.069702, 0.483186 },
 } };
 
+/// How distances become colors.
+struct ColorScale
+{
+  double Range = 0.0;     ///< Where the colors end, mm.
+  double Tolerance = 0.0; ///< mm; larger distances all have the last color. 0: none.
+};
+
+/// A scale of twice a tolerance: the lower half of 256 steps is within it.
+ColorScale ScaleOfTolerance(double tolerance);
+
 /// A color of them. @param part From 0 to 1.
 Color DistanceColor(double part);
+
+/// The color of a distance, mm: light up to a tolerance, and the last color beyond.
+Color DistanceColor(const ColorScale& scale, double distance);
 
 /// Where the colors end, mm: a readable number not below 99.9 % of the distances (ascending).
 double ColorRange(const std::vector<double>& sorted);

@@ -80,10 +80,11 @@ std::string Base64Of(const std::string& file)
   return Base64({ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() });
 }
 
-std::string EmbeddedPicture(const std::string& file)
+std::string EmbeddedPicture(const std::string& file, const std::string& surfaces)
 {
   const std::string png = Base64Of(file);
-  return png.empty() ? PageBlock("no picture") : PageBlock("picture", { { "png", png } });
+  return png.empty() ? PageBlock("no picture")
+                     : PageBlock("picture", { { "png", png }, { "surfaces", surfaces } });
 }
 
 std::size_t BytesOfViewer(std::size_t bytesOfPicture)

@@ -31,7 +31,9 @@ std::string Base64(const std::string& bytes);
 std::string Base64Of(const std::string& file);
 
 /// A PNG in the page, or the sentence that there is none.
-std::string EmbeddedPicture(const std::string& file);
+/// @param surfaces What it shows, in words.
+std::string EmbeddedPicture(
+  const std::string& file, const std::string& surfaces = "The bone before and after");
 
 /// What a page of 20 MB leaves to the interactive view.
 std::size_t BytesOfViewer(std::size_t bytesOfPicture);

@@ -52,7 +52,7 @@ ViewerHtml PairViewer(
   viewer.Levels = { { subject.Result, subject.ResultDistanceArrayName, "" } };
   viewer.Reduce = subject.Reduce;
   viewer.Frame = subject.Frame;
-  viewer.Threshold = subject.Threshold;
+  viewer.Tolerance = subject.Tolerance;
   viewer.Names = subject.Names;
   viewer.Farthest = points;
   viewer.MostBytes = BytesOfViewer(bytesOfPicture);

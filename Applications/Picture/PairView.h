@@ -30,7 +30,7 @@ struct PairSubject
   std::array<LargestDistance, 2> Largest;
   SurfaceReducer Reduce;  ///< For the interactive view of surfaces that are too large for a page.
   std::string Frame;      ///< Axes of the coordinates, "LPS" or "RAS"; empty: not known.
-  double Threshold = 0.0; ///< As that of ViewerSubject.
+  double Tolerance = 0.0; ///< As that of ColorScale.
   std::array<std::string, 2> Names{ "Before", "After" }; ///< What the view calls the two.
 };
 

@@ -10,10 +10,22 @@
 
 #include "vtkPolyData.h"
 
+#include <array>
+#include <optional>
 #include <string>
 
 namespace bonedecimate
 {
+/// A point that the close-up shows, with a ring around it.
+struct PictureMark
+{
+  std::array<double, 3> Position; ///< mm
+  bool IsOnBefore = true;         ///< Otherwise it is a point of the result.
+  std::string Words;              ///< Beside the ring.
+  double MostWidth = 0.0;         ///< Limit of the width of the close-up, mm.
+  std::string Largest;            ///< The largest distance of the two surfaces, mm.
+};
+
 struct PictureSubject
 {
   vtkPolyData* Before = nullptr; ///< The input surface, with the array below as point data.
@@ -21,7 +33,10 @@ struct PictureSubject
   std::string DistanceArrayName; ///< mm, distance of each point of Before to After.
   std::string Title;             ///< Over the picture; may be empty.
   std::string Frame; ///< "LPS", "RAS", or empty: not known. Then no directions are written.
-  int Width = 1800;  ///< Pixels, of the file; the height goes with it.
+  std::array<std::string, 2> Names{ "Before", "After" }; ///< What captions call the surfaces.
+  double Tolerance = 0.0;                                ///< As that of ColorScale.
+  std::optional<PictureMark> Mark; ///< Empty: the close-up shows where most of the distance is.
+  int Width = 1800;                ///< Pixels, of the file; the height goes with it.
 };
 
 /// Why this program draws no pictures; empty if it does.

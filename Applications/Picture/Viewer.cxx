@@ -126,17 +126,25 @@ public:
     };
     return "In this view positions are rounded by up to " +
       bound(0.5 * this->Grid.Step * std::sqrt(3.0)) +
-      (this->Distances.Range > 0.0 ? " and distances down by up to " +
-            bound(this->Distances.Range / (Colors - 1)) + "; the files have them whole. " +
-            (this->IsCapped() ? "Distances above " + ShortText(this->Distances.Range) +
-                  " mm have the color of the end. "
-                              : std::string()) +
+      (this->Distances.Range > 0.0
+          ? " and distances down by up to " + bound(this->Distances.Range / (Colors - 1)) +
+            "; the files have them whole. " + this->Beyond() +
             "Between points, colors are interpolated: inside a large "
             "triangle the distance may be smaller or larger."
-                                   : "; the files have them whole.");
+          : "; the files have them whole.");
   }
 
 private:
+  /// What has the color of the end, in a sentence; may be empty.
+  std::string Beyond() const
+  {
+    return this->Subject.Tolerance > 0.0 ? "Distances above the tolerance of " +
+        ShortText(this->Subject.Tolerance) + " mm have the last color. "
+      : this->IsCapped()
+      ? "Distances above " + ShortText(this->Distances.Range) + " mm have the color of the end. "
+      : std::string();
+  }
+
   /// Whether the colors end below the largest distance.
   bool IsCapped() const { return this->Distances.Largest > this->Distances.Range; }
 
@@ -170,6 +178,11 @@ private:
         distances.Range = std::max(distances.Range, ColorRange(sorted));
         distances.Largest = std::max(distances.Largest, sorted.back());
       }
+    }
+    if (subject.Tolerance > 0.0 && distances.Range > 0.0)
+    {
+      distances.Range = ScaleOfTolerance(subject.Tolerance).Range;
+      distances.Tolerance = subject.Tolerance;
     }
     return distances;
   }
@@ -256,18 +269,25 @@ private:
       return nullptr;
     }
     Json colors = Json::array();
+    const ColorScale scale = { this->Distances.Range, this->Distances.Tolerance };
     for (int i = 0; i < Colors; ++i)
     {
-      const Color color = DistanceColor(static_cast<double>(i) / (Colors - 1));
+      // With a tolerance at the middle of each step, so that it ends with one.
+      const Color color =
+        DistanceColor(scale, i * scale.Range / (Colors - 1) + scale.Tolerance / Colors);
       colors.push_back({ std::lround(ColorDigits * color[0]), std::lround(ColorDigits * color[1]),
         std::lround(ColorDigits * color[2]) });
     }
     const double largest = std::min(this->Distances.Largest, this->Distances.Range);
-    const bool isExceeded = this->Subject.Threshold > 0.0 && this->Subject.Threshold < largest;
-    const double threshold = isExceeded ? this->Subject.Threshold : FirstThreshold * largest;
+    const double threshold = scale.Tolerance > 0.0 ? 0.0 : FirstThreshold * largest;
     const double step = (Colors - 1) * std::min(1.0, threshold / this->Distances.Range);
-    return { { "range", this->Distances.Range }, { "isCapped", this->IsCapped() },
+    Json table = { { "range", this->Distances.Range }, { "isCapped", this->IsCapped() },
       { "threshold", static_cast<int>(step) }, { "colors", colors } };
+    if (scale.Tolerance > 0.0)
+    {
+      table["tolerance"] = scale.Tolerance;
+    }
+    return table;
   }
 
   const ViewerSubject& Subject;
@@ -296,11 +316,11 @@ std::string Reduced(const ViewerSubject& subject, const std::vector<Carried>& su
   };
   if (surfaces.front().Triangles < surfaces.front().Whole)
   {
-    add("the surface before", surfaces.front());
+    add(subject.Names[0] == "Before" ? "the surface before" : "the reference", surfaces.front());
   }
   if (surfaces[1].Triangles < surfaces[1].Whole)
   {
-    add("the surface after", surfaces[1]);
+    add(subject.Names[0] == "Before" ? "the surface after" : "the result", surfaces[1]);
   }
   if (surfaces.size() <= subject.Levels.size())
   {
@@ -344,7 +364,8 @@ ViewerHtml ComposeViewer(const ViewerSubject& subject)
   const bool hasLabels = !LabelsOf(subject.Levels.back().Surface).empty();
   return { PageBlock("viewer",
              { { "legend", subject.Legend }, { "rounding", writer.Rounding() },
-               { "reduced", Reduced(subject, surfaces) },
+               { "reduced", Reduced(subject, surfaces) }, { "before", LowerCase(subject.Names[0]) },
+               { "after", LowerCase(subject.Names[1]) },
                { "x", AxisText(subject.Frame, "x", "right and left") },
                { "y", AxisText(subject.Frame, "y", "front and back") },
                { "z", AxisText(subject.Frame, "z", "head and feet") },

@@ -37,11 +37,9 @@ struct ViewerSubject
   ViewerSurface Before;
   /// At least one, from coarse to fine. Labels are those of the last.
   std::vector<ViewerSurface> Levels;
-  /// mm; smaller distances have no color at first. 0, or one that nothing exceeds: four fifths of
-  /// the largest distance.
-  double Threshold = 0.0;
+  double Tolerance = 0.0; ///< As that of ColorScale.
   std::array<std::string, 2> Names{ "Before",
-    "After" };                    ///< What captions call Before and the levels.
+    "After" };                    ///< What the view calls Before and the levels.
   std::vector<FarPoint> Farthest; ///< To jump to, while the last level is shown; may be empty.
   std::string Frame;              ///< "LPS" or "RAS"; empty: the axes are x, y and z.
   std::string Legend = "distance to the other surface, mm"; ///< Title of the color scale.

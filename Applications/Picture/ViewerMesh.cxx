@@ -19,8 +19,9 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double LargestStep = 65535.0; // 16 bits
-constexpr double LargestCode = 255.0;   // 8 bits
+constexpr double LargestStep = 65535.0;     // 16 bits
+constexpr double LargestCode = 255.0;       // 8 bits
+constexpr double LargestCodeWithin = 127.0; // a tolerance
 constexpr vtkIdType None = -1;
 
 /// Seven bits a byte, the low ones first; the high bit says that more follow.
@@ -58,6 +59,7 @@ public:
     : Surface(triangles)
     , Grid(grid)
     , Range(distances.Range)
+    , Tolerance(distances.Tolerance)
     , Distances(triangles->GetPointData()->GetArray(distances.ArrayName.c_str()))
     , IndexOfPoint(static_cast<std::size_t>(triangles->GetNumberOfPoints()), None)
   {
@@ -132,13 +134,18 @@ private:
     {
       const double distance = this->Distances->GetComponent(point, 0);
       const double code = LargestCode * (std::isfinite(distance) ? distance : 0.0) / this->Range;
-      this->Bytes += static_cast<char>(static_cast<int>(std::clamp(code, 0.0, LargestCode)));
+      // A distance equal to the tolerance is single precision here.
+      const bool isWithin = distance <= static_cast<float>(this->Tolerance);
+      const double least = this->Tolerance > 0.0 && !isWithin ? LargestCodeWithin + 1.0 : 0.0;
+      const double most = this->Tolerance > 0.0 && isWithin ? LargestCodeWithin : LargestCode;
+      this->Bytes += static_cast<char>(static_cast<int>(std::clamp(code, least, most)));
     }
   }
 
   vtkPolyData* Surface;
   const QuantizationGrid& Grid;
   double Range;
+  double Tolerance;
   vtkDataArray* Distances;
   std::vector<vtkIdType> IndexOfPoint; // of the surface, in the piece
   std::vector<vtkIdType> Points;       // of the piece

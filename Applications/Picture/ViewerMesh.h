@@ -31,9 +31,10 @@ struct QuantizationGrid
 /// the range, or more.
 struct QuantizedDistances
 {
-  std::string ArrayName; ///< Point array of distances, mm; empty: the surface has none.
-  double Range = 1.0;    ///< Where the colors end, mm.
-  double Largest = 0.0;  ///< mm, among all surfaces.
+  std::string ArrayName;  ///< Point array of distances, mm; empty: the surface has none.
+  double Range = 1.0;     ///< Where the colors end, mm.
+  double Largest = 0.0;   ///< mm, among all surfaces.
+  double Tolerance = 0.0; ///< mm; bytes of larger distances are above 127. 0: none.
 };
 
 struct EncodedPiece

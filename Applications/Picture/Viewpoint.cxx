@@ -29,12 +29,13 @@ constexpr double FacingCosine =
   0.5; // what is seen more slantwise than 60 degrees is not used for a close-up
 constexpr vtkIdType VisibilityTests = 20000;
 
-Viewpoint ObliqueFront(double side)
+/// Degrees from the front to the patient's left, and from level upwards.
+Viewpoint ViewFrom(double degreesAside, double degreesAbove)
 {
-  const double aside = vtkMath::RadiansFromDegrees(Aside);
-  const double above = vtkMath::RadiansFromDegrees(Above);
+  const double aside = vtkMath::RadiansFromDegrees(degreesAside);
+  const double above = vtkMath::RadiansFromDegrees(degreesAbove);
   Viewpoint view;
-  view.ToViewer = { side * std::sin(aside) * std::cos(above), -std::cos(aside) * std::cos(above),
+  view.ToViewer = { std::sin(aside) * std::cos(above), -std::cos(aside) * std::cos(above),
     std::sin(above) };
   const Vector head = { 0.0, 0.0, 1.0 };
   vtkMath::Cross(head.data(), view.ToViewer.data(), view.Right.data());
@@ -130,6 +131,41 @@ bool IsVisible(
     from.data(), to.data(), 1e-6, parameter, hit.data(), local.data(), part);
 }
 
+/// As of PointView. @param length mm, of the line that looks for it.
+double FreeBefore(
+  vtkStaticCellLocator* locator, const Viewpoint& view, const Vector& point, double length)
+{
+  Vector from, to, hit, local;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    from[i] = point[i] + (1e-4 * length + 1e-3) * view.ToViewer[i]; // off the triangles there
+    to[i] = point[i] + length * view.ToViewer[i];
+  }
+  double parameter;
+  int part;
+  return locator->IntersectWithLine(
+           from.data(), to.data(), 1e-6, parameter, hit.data(), local.data(), part)
+    ? std::sqrt(vtkMath::Distance2BetweenPoints(point.data(), hit.data()))
+    : std::numeric_limits<double>::infinity();
+}
+
+/// The unit normal of the nearest triangle.
+Vector NormalAt(vtkStaticCellLocator* locator, vtkPolyData* surface, const Vector& point)
+{
+  Vector nearest, a, b, c, normal;
+  vtkIdType cell;
+  int part;
+  double squared;
+  locator->FindClosestPoint(point.data(), nearest.data(), cell, part, squared);
+  vtkNew<vtkIdList> corners;
+  surface->GetCellPoints(cell, corners);
+  surface->GetPoint(corners->GetId(0), a.data());
+  surface->GetPoint(corners->GetId(1), b.data());
+  surface->GetPoint(corners->GetId(2), c.data());
+  vtkTriangle::ComputeNormal(a.data(), b.data(), c.data(), normal.data());
+  return normal;
+}
+
 /// Squares of half a close-up's width, and the distances squared that are seen in each of them.
 using Weights = std::map<std::pair<int, int>, double>;
 
@@ -181,8 +217,8 @@ std::pair<int, int> HeaviestSquare(const Weights& weights)
 
 Viewpoint ChooseViewpoint(vtkPolyData* surface, vtkDataArray* distances)
 {
-  const Viewpoint left = ObliqueFront(1.0);
-  const Viewpoint right = ObliqueFront(-1.0);
+  const Viewpoint left = ViewFrom(Aside, Above);
+  const Viewpoint right = ViewFrom(-Aside, Above);
   return FacingDistance(right, surface, distances) > FacingDistance(left, surface, distances)
     ? right
     : left;
@@ -210,6 +246,39 @@ Frame FrameCloseUp(
   const Vector middle = { box.Least[0] + (column + 1) * square, box.Least[1] + (row + 1) * square,
     0.5 * (box.Least[2] + box.Greatest[2]) };
   return { InSpace(view, middle), square };
+}
+
+PointView ChooseViewOfPoint(
+  const Viewpoint& preferred, vtkPolyData* surface, const std::array<double, 3>& point)
+{
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(surface);
+  locator->BuildLocator();
+  const double length = surface->GetLength();
+  const Vector normal = NormalAt(locator, surface, point);
+  const auto facing = [&normal](const Viewpoint& view)
+  { return std::abs(vtkMath::Dot(normal.data(), view.ToViewer.data())); };
+  PointView best = { preferred, FreeBefore(locator, preferred, point, length) };
+  if (facing(preferred) > FacingCosine && best.Free > length)
+  {
+    return best;
+  }
+  double most = facing(preferred) * std::min(best.Free, length);
+  for (const double above : { Above, 50.0, -40.0 })
+  {
+    for (double aside = 0.0; aside < 360.0; aside += 45.0)
+    {
+      const Viewpoint view = ViewFrom(aside, above);
+      const double free = FreeBefore(locator, view, point, length);
+      const double value = facing(view) * std::min(free, length);
+      if (value > most)
+      {
+        most = value;
+        best = { view, free };
+      }
+    }
+  }
+  return best;
 }
 
 double TypicalEdge(vtkPolyData* surface)

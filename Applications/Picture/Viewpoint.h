@@ -49,6 +49,18 @@ Frame FrameWhole(const Viewpoint& view, vtkPolyData* surface, double aspect);
 Frame FrameCloseUp(
   const Viewpoint& view, vtkPolyData* surface, vtkDataArray* distances, double width);
 
+/// A camera, and what is before a point of a surface.
+struct PointView
+{
+  Viewpoint View;
+  double Free; ///< mm between the point and the nearest part that hides it; infinite: none does.
+};
+
+/// The preferred view if it shows a point well, or else one from another side: the one that shows
+/// it best or, if none does, in which most is free before it. @param surface Triangles.
+PointView ChooseViewOfPoint(
+  const Viewpoint& preferred, vtkPolyData* surface, const std::array<double, 3>& point);
+
 /// Mean length of an edge, mm, if the triangles were all equilateral.
 double TypicalEdge(vtkPolyData* surface);
 }

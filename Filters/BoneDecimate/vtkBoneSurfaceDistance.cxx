@@ -11,6 +11,7 @@
 #include "Run/Output/ComparedSurface.h"
 #include "Run/Output/ListLeftOut.h"
 #include "Run/Report/CertificateTable.h"
+#include "Run/Report/PairWarnings.h"
 #include "Run/Report/ReportJson.h"
 #include "Run/Report/SizeText.h"
 #include "SurfaceConversion.h"
@@ -26,7 +27,6 @@
 
 #include <functional>
 #include <limits>
-#include <utility>
 
 vtkStandardNewMacro(vtkBoneSurfaceDistance);
 
@@ -228,6 +228,16 @@ int vtkBoneSurfaceDistance::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
+void vtkBoneSurfaceDistance::Warn(
+  const std::string& surface, const std::vector<std::string>& sentences)
+{
+  for (const std::string& sentence : sentences)
+  {
+    vtkWarningMacro(<< surface << sentence);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkBoneSurfaceDistance::TakeTolerances(vtkPolyData* reference)
 {
   bonedecimate::CertificateOptions& options = this->Internal->Options;
@@ -268,20 +278,9 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   const bonedecimate::ConvertedSurface one =
     bonedecimate::ToSurface(reference, this->NumberOfThreads);
   const bonedecimate::ConvertedSurface two = bonedecimate::ToSurface(result, this->NumberOfThreads);
-  for (const auto& [surface, name] :
-    { std::pair(&one, "reference: "), std::pair(&two, "result: ") })
-  {
-    for (const std::string& warning : surface->Warnings)
-    {
-      vtkWarningMacro(<< name << warning);
-    }
-  }
-  if (const std::string warning =
-        bonedecimate::UnitsWarning(reference->GetLength(), result->GetLength());
-      !warning.empty())
-  {
-    vtkWarningMacro(<< warning);
-  }
+  this->Warn("reference: ", one.Warnings);
+  this->Warn("result: ", two.Warnings);
+  this->Warn("", bonedecimate::PairSizeWarnings(one.Surface, two.Surface, this->Tolerance));
   bonedecimate::CertificateOptions& options = this->Internal->Options;
   options.TightBounds = this->TightBounds;
   options.RelativeGap = this->RelativeGap;
@@ -317,6 +316,7 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
     bonedecimate::DescribePair(one.Surface, two.Surface, this->NumberOfThreads,
       bonedecimate::PartOf(monitor, certified, 1.0), certificate, figures);
   }
+  this->Warn("", bonedecimate::PairWarnings(figures));
   this->Internal->Take(bonedecimate::CertificateEntries(certificate, figures));
   return this->Accept(static_cast<int>(certificate.Status));
 }

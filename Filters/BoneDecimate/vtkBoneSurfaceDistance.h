@@ -115,8 +115,9 @@ public:
   ///@{
   /**
    * Also count triangles, components, boundary edges and intersecting pairs of triangles of each
-   * surface, and measure area and volume: the entries "reference." and "result." of the report. Off
-   * by default.
+   * surface, and measure area and volume: the entries "reference." and "result." of the report.
+   * Find components of the reference that the result lacks: the entries "missing.", and a warning.
+   * Off by default.
    */
   vtkSetMacro(MeasureSurfaces, bool);
   vtkGetMacro(MeasureSurfaces, bool);
@@ -245,6 +246,7 @@ private:
   bool Compare(vtkPolyData* reference, vtkPolyData* result);
   bool Accept(int status);
   bool TakeTolerances(vtkPolyData* reference);
+  void Warn(const std::string& surface, const std::vector<std::string>& sentences);
   void FillOutput(vtkPolyData* input, vtkPolyData* output, bool isReference);
 
   double Tolerance = -1.0; // mm

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """bonedecimate certify REFERENCE RESULT: bounds, status and exit codes; certify RESULT --labels MAP: voxels."""
 
-import re
-
 import vtk
 
 from application import NOT_WRITTEN, REJECTED, SURFACES, UNMEASURED, USAGE, ApplicationTest, main, read, torus, write
@@ -100,8 +98,13 @@ class Certify(ApplicationTest):
         self.assertIn("<div><strong>2 instead of 1</strong>components (separate pieces) in the result</div>", page)
         said = self.succeed("certify", "crossed.ply", "whole.ply", "--page", "lost.html").stdout
         self.assertIn("components           1, the reference has 2\n", said)
+        self.assertIn("warning: 1 of 2 components of the reference is missing in the result: ", said)
+        flat = "v 0 0 0\nv 9 0 0\nv 20 0 0\nf 1 2 3\n"
+        self.path("flat.obj").write_text(flat, encoding="ascii")
+        said = self.succeed("certify", "flat.obj", "whole.ply").stdout
+        self.assertNotIn("nan", said)
         lost = self.path("lost.html").read_text(encoding="utf-8")
-        self.assertIn("<div class=\"lost\"><strong>1 of 2</strong>components (separate pieces) in the result</div>", lost)
+        self.assertIn("<div class=\"lost\"><strong>1 of 2</strong>components (separate pieces) in the result; missing: ", lost)
         self.assertIn("<div class=\"headline\"><strong>at most ", lost)
         for words in ("Intersecting pairs of triangles", "Where the two surfaces are farthest apart", "&plusmn;", "@media print"):
             self.assertIn(words, page)
@@ -122,12 +125,13 @@ class Certify(ApplicationTest):
         sampled = self.report()["distance"]["input_to_output"]["max"]
         proved = self.report("c.json")["reference_to_result"]["upper"]
         self.assertLessEqual(sampled, proved + 1e-5)  # the file is in single precision
+        self.assertEqual(self.report("c.json")["result"]["checksum"], self.report()["output"]["checksum"])
 
     def test_says_nothing_with_quiet(self):
         self.assertEqual(self.certify("--quiet").stdout, "")
 
     def test_rejects_what_it_cannot_read_or_write(self):
-        for words in (("a.ply",), ("a.ply", "b.ply", "b.ply"), ("a.ply", "b.ply", "--tolerance", -1)):
+        for words in (("a.ply",), ("a.ply", "b.ply", "b.ply", "--labels", "m.mha"), ("a.ply", "b.ply", "--tolerance", -1)):
             self.fail_with(USAGE, "certify", *words)
         self.fail_with(USAGE, "certify", "a.ply", "b.ply", "--json", "b.ply", says="not overwritten")
         self.fail_with(USAGE, "certify", "a.ply", "b.ply", "--json", "./c", "--page", "c", says="written twice")
@@ -213,16 +217,17 @@ class CertifyUnits(ApplicationTest):
         self.assertNotIn("units", self.succeed("certify", "bone.ply", "smaller.ply").stdout)
 
 
-class CertifyColors(ApplicationTest):
-    def test_begin_at_a_tolerance_that_is_exceeded_and_otherwise_below_the_largest_distance(self):
-        write(torus(), self.path("bone.ply"))
-        write(scaled(torus(), 0.99), self.path("smaller.ply"))
-        steps = []
-        for tolerance in (0.01, 10):
-            self.run_program("certify", "bone.ply", "smaller.ply", "--tolerance", tolerance, "--page", "c.html", "--quiet")
-            (step,) = re.findall(r'"threshold":(\d+)', self.path("c.html").read_text(encoding="utf-8"))
-            steps.append(int(step))
-        self.assertTrue(0 < steps[0] < 30 and 100 < steps[1] < 250, steps)
+class CertifySeveral(ApplicationTest):
+    def test_several_results_have_one_reference(self):
+        for name, height in (("flat", 0), ("near", 0.25), ("far", 0.5)):
+            write(square(height), self.path(f"{name}.ply"))
+        completed = self.run_program("certify", "flat.ply", "near.ply", "far.ply", "missing.ply", "--tolerance", 0.3, "--json", "c.json")
+        self.assertEqual(completed.returncode, VIOLATED)
+        self.assertRegex(completed.stdout, r"(?m)^near\.ply: 0\.249999 to 0\.25000\d mm, proved$")
+        self.assertRegex(completed.stdout, r"(?m)^far\.ply: .* violated\n  warning: the diagonal of the reference's bounding box is 1\.41421 mm, which is not")
+        self.assertIn("3 pairs: 1 proved, 1 violated, 1 not compared\n", completed.stdout)
+        self.assertEqual([row["name"] for row in self.report("c.json")], ["near.ply", "far.ply", "missing.ply"])
+        self.fail_with(USAGE, "certify", "flat.ply", "near.ply", "far.ply", "--page", "p.html", says="--page is for one result; several take --json")
 
 
 class CertifyFolders(ApplicationTest):

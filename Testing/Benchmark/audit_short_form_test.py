@@ -95,6 +95,14 @@ class ShortForm(unittest.TestCase):
             self.assertIn(f"`{line['command']}`", page)
         self.assertIn(f"\n| {CRASHES} | 3 | 2 | 0 | ", page)
 
+    def test_the_page_has_the_nearest_of_the_others(self):
+        page = (self.folder / "audit" / "audit.md").read_text(encoding="utf-8")
+        table = page.split("## How near does another program come?")[1].split("##")[0]
+        for line in self.of("CGAL Lindstrom-Turk")[:2]:  # the third time the tetrahedron takes part, too
+            ratio = int(line["triangles"]) / int(line["fast_triangles"])
+            found = next(row for row in table.splitlines() if row.startswith(f"| small-leg | {line['tolerance_mm']} mm | {line['program']} |"))
+            self.assertAlmostEqual(float(found.split("|")[-3]), ratio, delta=0.01 * ratio)
+
     def test_a_result_far_away_is_measured(self):
         found = self.of(CRASHES)[2]
         self.assertEqual((found["failure"], found["triangles"], found["components"]), ("", "4", "1"))

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pages with the interactive view, in Chromium with its software renderer."""
 
+import base64
 import json
 import os
 import pathlib
@@ -59,6 +60,7 @@ class Page(unittest.TestCase):
             ("balls.ply", "small.vtp", "--target-triangles", 1500, "--page", "balls.html"),
             ("levels", "ball.ply", "--coarsest", 400, "--no-errors", "--page", "levels.html"),
             ("levels", "ball.ply", "--coarsest", 2000, "--page", "measured.html"),
+            ("certify", "balls.ply", "ball.ply", "--tolerance", 50, "--page", "certificate.html"),
             ("labels.mha", "bones", "--segments", "all", "--target-reduction", 0.8, "--measure", "off"),
             ("labels.mha", "near", "--segments", "all", "--max-error", 0.4),
         ]
@@ -328,6 +330,14 @@ class Page(unittest.TestCase):
         self.assertTrue(self.browser.is_shown(".picture img"))
         self.assertFalse(self.browser.is_shown(STAGE))
         self.browser.protocol("Emulation.setEmulatedMedia", media="")
+
+    def test_a_certificate_has_its_tolerance_at_the_scale_and_two_pages_of_paper(self):
+        self.open("certificate.html")
+        self.assertEqual(self.browser.text("#viewer-ticks").split(), ["0", "tolerance", "50", "100"])
+        self.assertEqual(self.browser.text("#viewer-threshold-text"), "0.0 mm")
+        self.assertIn("reference alone", self.browser.text("#viewer-compare"))
+        pdf = base64.b64decode(self.browser.protocol("Page.printToPDF", preferCSSPageSize=True)["data"])
+        self.assertEqual(len(re.findall(rb"/Type\s*/Page\b", pdf)), 2)
 
     def test_keeps_the_picture_without_javascript(self):
         self.browser.protocol("Emulation.setScriptExecutionDisabled", value=True)

@@ -3,6 +3,7 @@
 """What certify() of the wheel guarantees. Needs no VTK."""
 
 import unittest
+import warnings
 
 import numpy as np
 from arrays_test import POINTS, TRIANGLES
@@ -45,6 +46,19 @@ class Certify(unittest.TestCase):
         stopped = certify((POINTS, TRIANGLES), (points, triangles), surfaces=True, progress=lambda fraction: fraction < 0.8)
         self.assertTrue(stopped.stopped)
         self.assertNotIn("result.triangles", stopped.report)
+
+    def test_warns_of_units_and_of_missing_components(self):
+        with self.assertWarnsRegex(UserWarning, "^the diagonal of the result is 0.001 times that of the reference: the surfaces may have different units$"):
+            certify((POINTS, TRIANGLES), (0.001 * POINTS, TRIANGLES))
+        with self.assertWarnsRegex(UserWarning, "^the tolerance of 12 mm is more than a quarter of the diagonal of the reference's bounding box, .* mm; the coordinates may"):
+            certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES), tolerance=12)
+        two = np.vstack([POINTS, POINTS + [50.0, 0, 0]]), np.vstack([TRIANGLES, TRIANGLES + len(POINTS)])
+        with self.assertWarnsRegex(UserWarning, "^1 of 2 components of the reference is missing in the result: .* at .50, 0, 0.$"):
+            report = certify(two, (1.01 * POINTS, TRIANGLES), surfaces=True).report
+        self.assertEqual((report["missing.0.triangles"], report["missing.0.x"]), (len(TRIANGLES), 50.0))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES))
 
     def test_tolerances_of_points(self):
         shifted = POINTS + np.where(POINTS[:, 2:] > 5, [[0, 0, 0.5]], 0)

@@ -7,7 +7,9 @@
 #include "Run/Output/ComparedSurface.h"
 #include "Run/Output/ListLeftOut.h"
 #include "Run/Report/CertificateTable.h"
+#include "Run/Report/PairWarnings.h"
 #include "Run/Report/ReportJson.h"
+#include "Run/Report/SizeText.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -18,7 +20,8 @@ namespace bonedecimate
 {
 namespace
 {
-nb::dict ToDict(Certificate&& certificate, const PairFigures& pair)
+nb::dict ToDict(
+  Certificate&& certificate, const PairFigures& pair, std::vector<std::string>&& warnings)
 {
   nb::dict fields;
   const std::vector<ReportEntry> entries = CertificateEntries(certificate, pair);
@@ -26,6 +29,7 @@ nb::dict ToDict(Certificate&& certificate, const PairFigures& pair)
   fields["json"] = ReportJson(entries);
   fields["status"] = certificate.Status;
   fields["problem"] = StatusSentence(certificate.Status);
+  fields["warnings"] = std::move(warnings);
   SignedDistances& reference = certificate.ReferenceToResult.Points;
   SignedDistances& result = certificate.ResultToReference.Points;
   fields["reference_distance"] = ToArray(std::move(reference.Distance));
@@ -59,7 +63,11 @@ nb::dict RunCertificate(const PointsIn& referencePoints, const TrianglesIn& refe
           }
           return found;
         });
-  return ToDict(std::move(certificate), figures);
+  std::vector<std::string> warnings =
+    PairSizeWarnings(reference, result, options.Tolerance.value_or(0.0));
+  const std::vector<std::string> more = PairWarnings(figures);
+  warnings.insert(warnings.end(), more.begin(), more.end());
+  return ToDict(std::move(certificate), figures, std::move(warnings));
 }
 }
 

@@ -17,6 +17,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -62,6 +63,11 @@ void AddOptions(CLI::App& app, CertifyArguments& arguments)
     WrappedHelp("Surfaces alone, not their open boundaries."));
   AddQuiet(app, arguments.Quiet);
   AddSettings(app, arguments.Settings);
+}
+
+bool HasSeveralResults(const CertifyArguments& arguments)
+{
+  return arguments.Files.size() > 2 || AreFolders(arguments.Files);
 }
 
 /// A volume needs a value, and a value a volume.
@@ -117,18 +123,19 @@ void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
 void Check(const CLI::App& command, const CertifyArguments& arguments)
 {
   const bool isAlone = !arguments.Map.Path.empty() && arguments.Files.size() == 1;
-  RequireFiles(command, arguments.Files, isAlone ? 1 : 2,
+  RequireFiles(command, arguments.Files,
+    isAlone ? 1 : std::max<std::size_t>(2, arguments.Files.size()),
     arguments.Map.Path.empty() ? "REFERENCE RESULT, or a RESULT and --labels MAP"
                                : "a RESULT, or REFERENCE RESULT");
   CheckTogether(command, arguments);
   std::vector<std::string> read = arguments.Files;
   read.push_back(arguments.Map.Path);
   RequireDistinct({ arguments.Page, arguments.Json }, read);
-  if (AreFolders(arguments.Files) && (!arguments.Page.empty() || !arguments.Map.Path.empty()))
+  if (HasSeveralResults(arguments) && (!arguments.Page.empty() || !arguments.Map.Path.empty()))
   {
     throw Failure(ExitCode::Usage,
       std::string(arguments.Page.empty() ? "--labels" : "--page") +
-        " is for one result; folders of pairs take --json");
+        " is for one result; several take --json");
   }
   RequireExtension("--page", arguments.Page, { "html", "htm" });
 }
@@ -136,14 +143,14 @@ void Check(const CLI::App& command, const CertifyArguments& arguments)
 /// The certificate of a pair as a row of a table.
 CertifiedPair RunPair(const CertifyArguments& arguments, const FilePair& pair)
 {
-  CertifiedPair row = { pair.Name, ExitCode::InputRejected, pair.Problem, {} };
+  CertifiedPair row = { pair.Name, ExitCode::InputRejected, pair.Problem, {}, {} };
   if (!pair.Problem.empty())
   {
     return row;
   }
   CertifyArguments one = arguments;
   one.Files = { pair.Reference, pair.Result };
-  one.Quiet = true;
+  one.IsOneOfSeveral = true;
   if (!IsVolume(pair.Reference))
   {
     one.Iso.reset();
@@ -153,7 +160,7 @@ CertifiedPair RunPair(const CertifyArguments& arguments, const FilePair& pair)
     CertifyRun run(one);
     run.Read();
     run.Compare();
-    row = { pair.Name, run.Code(), run.Line(), run.Json() };
+    row = { pair.Name, run.Code(), run.Line(), run.Json(), run.GetWarnings() };
   }
   catch (const Failure& failure)
   {
@@ -163,20 +170,34 @@ CertifiedPair RunPair(const CertifyArguments& arguments, const FilePair& pair)
   return row;
 }
 
-ExitCode RunFolders(const CertifyArguments& arguments)
+/// A line, with the warnings below it; if quiet, a line of what is not proved.
+void Tell(const CertifiedPair& row, bool quiet)
+{
+  const std::string line = PlainText(row.Name) + ": " + PlainText(row.Text) + "\n";
+  if (quiet)
+  {
+    std::cerr << (row.Code == ExitCode::Done ? "" : line);
+    return;
+  }
+  std::cout << line;
+  for (const std::string& warning : row.Warnings)
+  {
+    std::cout << "  warning: " << PlainText(warning) << "\n";
+  }
+  std::cout << std::flush;
+}
+
+ExitCode RunPairs(const CertifyArguments& arguments)
 {
   std::vector<CertifiedPair> rows;
-  for (const FilePair& pair : FindPairs(arguments.Files[0], arguments.Files[1], arguments.Iso))
+  for (const FilePair& pair : AreFolders(arguments.Files)
+      ? FindPairs(arguments.Files[0], arguments.Files[1], arguments.Iso)
+      : PairsWithFirst(arguments.Files))
   {
     rows.push_back(IsInterrupted()
-        ? CertifiedPair{ pair.Name, ExitCode::Interrupted, "not compared: interrupted", {} }
+        ? CertifiedPair{ pair.Name, ExitCode::Interrupted, "not compared: interrupted", {}, {} }
         : RunPair(arguments, pair));
-    if (!arguments.Quiet || rows.back().Code != ExitCode::Done)
-    {
-      (arguments.Quiet ? std::cerr : std::cout)
-        << PlainText(rows.back().Name) << ": " << PlainText(rows.back().Text) << "\n"
-        << std::flush;
-    }
+    Tell(rows.back(), arguments.Quiet);
   }
   if (!arguments.Json.empty())
   {
@@ -191,9 +212,9 @@ ExitCode RunFolders(const CertifyArguments& arguments)
 
 ExitCode Run(const CertifyArguments& arguments)
 {
-  if (AreFolders(arguments.Files))
+  if (HasSeveralResults(arguments))
   {
-    return RunFolders(arguments);
+    return RunPairs(arguments);
   }
   CertifyRun run(arguments);
   run.Read();
@@ -209,11 +230,11 @@ ExitCode Run(const CertifyArguments& arguments)
 void AddCertifyCommand(CLI::App& program, ExitCode& code)
 {
   const auto arguments = std::make_shared<CertifyArguments>();
-  CLI::App& command = AddCommand(program, "certify", { "[REFERENCE] RESULT [OPTIONS]" },
+  CLI::App& command = AddCommand(program, "certify", { "[REFERENCE] RESULT... [OPTIONS]" },
     "Proves how far two surfaces are from each other: bounds of the largest distance in both "
     "directions, of surfaces and of open boundaries, and where it is. With a label map it counts "
-    "the voxels that have another label in RESULT. REFERENCE may be a CT volume with --iso. Of two "
-    "folders, it compares what has the same name.");
+    "the voxels that have another label in RESULT. REFERENCE may be a CT volume with --iso. "
+    "Several results are compared with one reference, and of two folders what has the same name.");
   AddSurfaces(command, arguments->Files, "Two surfaces, or one with --labels");
   AddOptions(command, *arguments);
   command.final_callback(

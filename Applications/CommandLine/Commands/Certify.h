@@ -22,7 +22,7 @@ namespace bonedecimate
 {
 struct CertifyArguments
 {
-  std::vector<std::string> Files;  ///< Reference and result; the result alone with a label map.
+  std::vector<std::string> Files;  ///< Reference and results; a result alone with a label map.
   std::optional<double> Tolerance; ///< mm
   std::string ToleranceArray;      ///< A point array of the reference, mm; empty: none.
   std::optional<double> Iso;       ///< HU, of a CT volume as the reference.
@@ -38,9 +38,10 @@ struct CertifyArguments
   bool WithoutBoundaries = false;
   SettingsRecord Settings;
   bool Quiet = false;
+  bool IsOneOfSeveral = false; ///< One of several results: no progress.
 
   const std::string& Result() const { return this->Files.back(); }
-  bool HasReference() const { return this->Files.size() == 2; }
+  bool HasReference() const { return this->Files.size() > 1; }
   bool HasTolerance() const { return this->Tolerance || !this->ToleranceArray.empty(); }
 };
 

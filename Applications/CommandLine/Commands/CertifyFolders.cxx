@@ -112,6 +112,17 @@ std::vector<FilePair> FindPairs(
   return list;
 }
 
+std::vector<FilePair> PairsWithFirst(const std::vector<std::string>& files)
+{
+  std::vector<FilePair> pairs;
+  pairs.reserve(files.size());
+  for (std::size_t i = 1; i < files.size(); ++i)
+  {
+    pairs.push_back({ files[i], files[0], files[i], "" });
+  }
+  return pairs;
+}
+
 std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs)
 {
   using Json = nlohmann::ordered_json;

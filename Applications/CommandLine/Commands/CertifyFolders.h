@@ -29,6 +29,7 @@ struct CertifiedPair
   ExitCode Code;
   std::string Text; ///< Bounds and status, or why it was rejected.
   std::string Json; ///< Its certificate; empty if it was rejected.
+  std::vector<std::string> Warnings;
 };
 
 /// Whether these are two folders of surfaces, and the first is no volume.
@@ -40,6 +41,9 @@ bool AreFolders(const std::vector<std::string>& files);
 /// @throws Failure(ExitCode::InputRejected) if there is no result, or no reference.
 std::vector<FilePair> FindPairs(
   const std::string& references, const std::string& results, const std::optional<double>& iso);
+
+/// The first file with each of the others, which have their own names.
+std::vector<FilePair> PairsWithFirst(const std::vector<std::string>& files);
 
 /// A list of objects: name, exit code, and the certificate or the problem.
 std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs);

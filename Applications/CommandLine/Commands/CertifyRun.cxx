@@ -5,14 +5,12 @@
 #include "Arguments/InputArguments.h"
 #include "BoneVolume.h"
 #include "CertificatePage.h"
-#include "Figures/BoundText.h"
 #include "Files/FileNames.h"
 #include "Files/StagedFile.h"
 #include "Files/SurfaceFiles.h"
 #include "Formats/FileChecks.h"
 #include "Formats/FileFrame.h"
 #include "LeftOutOfReader.h"
-#include "NumberText.h"
 #include "Picture.h"
 #include "PlainText.h"
 #include "Report/JsonReport.h"
@@ -24,17 +22,8 @@
 
 #include "vtkPointData.h"
 
-#include <cmath>
-#include <iostream>
-
 namespace bonedecimate
 {
-namespace
-{
-constexpr int DecimalsOfLine = 6;
-constexpr int DecimalsOfProgress = 4;
-}
-
 CertifyRun::CertifyRun(const CertifyArguments& arguments)
   : Requested(arguments)
 {
@@ -103,7 +92,8 @@ void CertifyRun::Compare()
   const bool hasFile = !this->Requested.Json.empty() || !this->Requested.Page.empty();
   this->Filter->SetMeasureSurfaces(
     hasFile || !(this->Requested.Quiet || this->Requested.FirstProof));
-  const Progress progress = this->Requested.Quiet ? Progress::Hidden : Progress::Bar;
+  const Progress progress =
+    this->Requested.Quiet || this->Requested.IsOneOfSeveral ? Progress::Hidden : Progress::Bar;
   this->Filter->SetFollowBounds(ProgressDisplay::IsBar(progress));
   const VtkMessages messages = UpdateUntilInterrupted(
     this->Filter, progress, "proving", [this] { return this->BoundsSoFar(); });
@@ -115,15 +105,6 @@ void CertifyRun::Compare()
         "' were rejected: " + (messages.Errors.empty() ? problem : messages.Errors.front()));
   }
   AcceptMessages(messages, this->Requested.Files[1], this->Warnings, this->Requested.Unit);
-}
-
-//------------------------------------------------------------------------------
-std::string CertifyRun::BoundsSoFar() const
-{
-  const double upper = this->Filter->GetUpperBound();
-  return std::isnan(upper) ? std::string()
-                           : LowerBoundText(this->Filter->GetLowerBound(), DecimalsOfProgress) +
-      " to " + UpperBoundText(upper, DecimalsOfProgress) + " mm";
 }
 
 //------------------------------------------------------------------------------
@@ -164,6 +145,9 @@ void CertifyRun::WritePage(StagedFile& page, StagedFile& picture)
     drawn.DistanceArrayName = distance;
     drawn.Title = PlainText(BaseName(this->Requested.Result()));
     drawn.Frame = this->Frame;
+    drawn.Names = { "Reference", "Result" };
+    drawn.Tolerance = this->Requested.Tolerance.value_or(0.0);
+    drawn.Mark = MarkOfCertificate(this->Json());
     const std::string problem = WritePicture(drawn, picture.GetTemporary());
     TakeVtkMessages(); // whatever VTK said about a missing display is in the problem
     pictureFile = problem.empty() ? picture.GetTemporary() : std::string();
@@ -173,39 +157,6 @@ void CertifyRun::WritePage(StagedFile& page, StagedFile& picture)
     }
   }
   page.WriteText(ComposeCertificatePage(this->Json(), pair, pictureFile));
-}
-
-//------------------------------------------------------------------------------
-void CertifyRun::Tell()
-{
-  if (this->Requested.Quiet)
-  {
-    return;
-  }
-  if (this->Requested.HasReference())
-  {
-    this->TellDistance();
-  }
-  if (this->Voxels)
-  {
-    this->Voxels->Print();
-  }
-  if (!this->ReportOfResult.empty())
-  {
-    std::cout << "report in the file   " << PlainText(this->ReportOfResult) << "\n";
-  }
-  PrintWarnings(this->Warnings);
-}
-
-//------------------------------------------------------------------------------
-std::string CertifyRun::Line() const
-{
-  const std::string status = this->Filter->GetStatusAsString();
-  const std::string stopped = this->Filter->GetReportText("stopped");
-  return LowerBoundText(this->Filter->GetLowerBound(), DecimalsOfLine) + " to " +
-    UpperBoundText(this->Filter->GetUpperBound(), DecimalsOfLine) + " mm" +
-    (this->Filter->GetStatus() == vtkBoneSurfaceDistance::NOT_ASKED ? "" : ", " + status) +
-    (stopped.empty() ? "" : ", " + stopped);
 }
 
 //------------------------------------------------------------------------------
@@ -228,43 +179,6 @@ ExitCode CertifyRun::Code() const
     default:
       return ExitCode::Done;
   }
-}
-
-//------------------------------------------------------------------------------
-void CertifyRun::TellDistance() const
-{
-  if (this->Filter->GetWasStopped())
-  {
-    std::cout << this->Filter->GetReportText("stopped") << "\n";
-  }
-  std::cout << "distance             "
-            << LowerBoundText(this->Filter->GetLowerBound(), DecimalsOfRounding) << " to "
-            << UpperBoundText(this->Filter->GetUpperBound(), DecimalsOfRounding)
-            << " mm, two-sided\n";
-  this->TellDirection("reference_to_result", "reference -> result  ");
-  this->TellDirection("result_to_reference", "result -> reference  ");
-  const std::string boundaries = this->Filter->GetReportText("boundaries");
-  this->TellDirection("boundary_reference_to_result", "boundary ref -> res  ");
-  this->TellDirection("boundary_result_to_reference", "boundary res -> ref  ");
-  if (boundaries == "reference_only" || boundaries == "result_only")
-  {
-    std::cout << "boundaries           only the "
-              << (boundaries == "result_only" ? "result" : "reference") << " has some\n";
-  }
-  if (const double components = this->Value("result.components"); !std::isnan(components))
-  {
-    const auto count = [this](const char* name) { return GroupedText(this->Value(name)); };
-    std::cout << "components           " << count("result.components") << ", the reference has "
-              << count("reference.components") << "\n"
-              << "triangles            " << count("result.triangles") << ", the reference has "
-              << count("reference.triangles") << "\n";
-  }
-  for (int i = 0; !this->LeftOut(i).empty(); ++i)
-  {
-    std::cout << "left out             " << PlainText(this->LeftOut(i)) << "\n";
-  }
-  this->TellStatus();
-  std::cout << "seconds              " << FixedText(this->Value("seconds"), 2) << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -334,59 +248,5 @@ bool CertifyRun::CoversWhatWasLeftOut() const
     }
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-void CertifyRun::TellDirection(const std::string& path, const std::string& words) const
-{
-  const double lower = this->Value(path + ".lower");
-  if (std::isnan(lower))
-  {
-    return;
-  }
-  std::cout << words << LowerBoundText(lower, DecimalsOfRounding) << " to "
-            << UpperBoundText(this->Value(path + ".upper"), DecimalsOfRounding) << " mm";
-  const auto triangle = static_cast<long long>(this->Value(path + ".triangle"));
-  if (triangle >= 0)
-  {
-    std::cout << " at (" << FixedText(this->Value(path + ".x"), 4) << ", "
-              << FixedText(this->Value(path + ".y"), 4) << ", "
-              << FixedText(this->Value(path + ".z"), 4) << "), triangle " << triangle;
-  }
-  std::cout << "\n";
-  const double mean = this->Value(path + ".mean");
-  if (!std::isnan(mean))
-  {
-    std::cout << "                     mean " << FixedText(mean, 6) << " +- "
-              << FixedText(this->Value(path + ".mean_error"), 6) << ", RMS "
-              << FixedText(this->Value(path + ".rms"), 6) << " +- "
-              << FixedText(this->Value(path + ".rms_error"), 6) << " mm\n";
-  }
-}
-
-//------------------------------------------------------------------------------
-std::string CertifyRun::StatusText() const
-{
-  const std::string word = this->Filter->GetStatusAsString();
-  return word +
-    (this->Filter->GetStatus() == vtkBoneSurfaceDistance::VIOLATED       ? ", not <= "
-        : this->Filter->GetStatus() == vtkBoneSurfaceDistance::UNDECIDED ? " whether <= "
-                                                                         : " <= ");
-}
-
-//------------------------------------------------------------------------------
-void CertifyRun::TellStatus() const
-{
-  const std::string map = this->Requested.ToleranceArray.empty()
-    ? ""
-    : "the map '" + this->Requested.ToleranceArray + "'";
-  const std::string number =
-    this->Requested.Tolerance ? FixedText(*this->Requested.Tolerance, 6) + " mm" : "";
-  if (this->Filter->GetStatus() != vtkBoneSurfaceDistance::NOT_ASKED)
-  {
-    std::cout << "tolerance            " << this->StatusText() << map
-              << (map.empty() || number.empty() ? "" : " and ") << number
-              << (this->CoversWhatWasLeftOut() ? "" : ", but for what was left out") << "\n";
-  }
 }
 }

@@ -44,6 +44,7 @@ public:
 
   /// Bounds of the distance and whether the tolerance is kept, in a line.
   std::string Line() const;
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
   /// Interrupted if the comparison was stopped.
   ExitCode Code() const;
 

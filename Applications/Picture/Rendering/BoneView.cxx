@@ -85,12 +85,12 @@ void ShowTriangles(vtkActor* bone, double lineWidth)
   property->SetLineWidth(static_cast<float>(lineWidth));
 }
 
-void ColorByDistance(vtkActor* bone, const std::string& arrayName, double range)
+void ColorByDistance(vtkActor* bone, const std::string& arrayName, const ColorScale& scale)
 {
   vtkMapper* mapper = bone->GetMapper();
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray(arrayName.c_str());
-  mapper->SetLookupTable(MakeColorFunction(range));
+  mapper->SetLookupTable(MakeColorFunction(scale));
   mapper->UseLookupTableScalarRangeOn();
   mapper->InterpolateScalarsBeforeMappingOn();
   mapper->ScalarVisibilityOn();

@@ -7,6 +7,7 @@
 #ifndef BoneDecimate_Applications_BoneView_h
 #define BoneDecimate_Applications_BoneView_h
 
+#include "DistanceColors.h"
 #include "NamedLabels.h"
 #include "Overlay.h"
 #include "Viewpoint.h"
@@ -44,8 +45,8 @@ void ShadeFlat(vtkActor* bone);
 /// Flat triangles with their edges. @param lineWidth Pixels.
 void ShowTriangles(vtkActor* bone, double lineWidth);
 
-/// Colors from 0 to range (mm) by an array of the points.
-void ColorByDistance(vtkActor* bone, const std::string& arrayName, double range);
+/// Colors of a scale by an array of the points.
+void ColorByDistance(vtkActor* bone, const std::string& arrayName, const ColorScale& scale);
 
 /// Each triangle in the color of the first of its labels, if there are several labels or one with a
 /// color.

@@ -7,13 +7,15 @@
 #ifndef BoneDecimate_Applications_ColorFunction_h
 #define BoneDecimate_Applications_ColorFunction_h
 
+#include "DistanceColors.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkSmartPointer.h"
 
 namespace bonedecimate
 {
-/// Colors of distances from 0 to range, mm.
-vtkSmartPointer<vtkColorTransferFunction> MakeColorFunction(double range);
+/// Colors of distances from 0 to the end of the scale.
+vtkSmartPointer<vtkColorTransferFunction> MakeColorFunction(const ColorScale& scale);
 }
 
 #endif

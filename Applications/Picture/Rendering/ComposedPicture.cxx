@@ -12,7 +12,11 @@
 #include "SurfaceDistances.h"
 #include "Viewpoint.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkMapper.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -43,13 +47,14 @@ struct Rows
   Viewpoint View;
   Frame Whole;
   Frame CloseUp;
+  vtkSmartPointer<vtkPlane> Cut; ///< Before the mark in the close-up; may be null.
 };
 
 struct Distances
 {
   vtkDataArray* Array = nullptr; ///< Null if there are none: the third column then stays bare.
-  double Range = 0.0;            ///< mm
-  double Largest = 0.0;          ///< mm
+  ColorScale Scale;
+  double Largest = 0.0; ///< mm
 };
 
 Area ViewArea(int column, bool isWhole, bool hasTitle)
@@ -61,12 +66,14 @@ Area ViewArea(int column, bool isWhole, bool hasTitle)
                  : Area{ { left, FooterHeight }, { left + width, CloseUpTop } };
 }
 
-Distances FindDistances(vtkPolyData* before, const PictureSubject& subject)
+/// @param surface That of the third column.
+Distances FindDistances(vtkPolyData* surface, const PictureSubject& subject)
 {
   Distances distances;
-  distances.Array = before->GetPointData()->GetArray(subject.DistanceArrayName.c_str());
-  const std::vector<double> sorted = SortedDistances(before, subject.DistanceArrayName);
-  distances.Range = ColorRange(sorted);
+  distances.Array = surface->GetPointData()->GetArray(subject.DistanceArrayName.c_str());
+  const std::vector<double> sorted = SortedDistances(surface, subject.DistanceArrayName);
+  distances.Scale = subject.Tolerance > 0.0 ? ScaleOfTolerance(subject.Tolerance)
+                                            : ColorScale{ ColorRange(sorted) };
   const double largest = sorted.empty() ? 0.0 : sorted.back();
   // The report has distances between the points, too.
   const auto reported = ReportFields(subject.After).Number("distance.input_to_output.max");
@@ -85,6 +92,37 @@ Rows ChooseRows(
     std::clamp(EdgesAcross * TypicalEdge(after), NarrowestCloseUp * height, WidestCloseUp * height);
   rows.CloseUp = FrameCloseUp(rows.View, before, distances, width);
   return rows;
+}
+
+std::array<double, 3> Moved(
+  const std::array<double, 3>& point, double length, const std::array<double, 3>& direction)
+{
+  return { point[0] + length * direction[0], point[1] + length * direction[1],
+    point[2] + length * direction[2] };
+}
+
+/// Turns both rows to a marked point and the close-up upon it. @param marked Its surface.
+void TurnTo(const PictureMark& mark, vtkPolyData* before, vtkPolyData* after, vtkPolyData* marked,
+  double aspect, Rows& rows)
+{
+  const PointView seen = ChooseViewOfPoint(rows.View, marked, mark.Position);
+  vtkNew<vtkAppendPolyData> both; // the point may lie where the other surface has nothing
+  both->AddInputData(before);
+  both->AddInputData(after);
+  both->Update();
+  rows.View = seen.View;
+  rows.Whole = FrameWhole(rows.View, both->GetOutput(), aspect);
+  const double least = NarrowestCloseUp * rows.Whole.HalfHeight;
+  rows.CloseUp.HalfHeight =
+    std::min(rows.CloseUp.HalfHeight, std::max(least, 0.5 * mark.MostWidth));
+  const double outside = both->GetOutput()->GetLength();
+  rows.CloseUp.Center = Moved(mark.Position, outside, rows.View.ToViewer);
+  if (std::isfinite(seen.Free))
+  {
+    rows.Cut = vtkSmartPointer<vtkPlane>::New();
+    rows.Cut->SetOrigin(Moved(mark.Position, 0.5 * seen.Free, rows.View.ToViewer).data());
+    rows.Cut->SetNormal(Moved({ 0.0, 0.0, 0.0 }, -1.0, rows.View.ToViewer).data());
+  }
 }
 
 /// The triangles the run began with; equal points may have been merged and empty triangles dropped
@@ -167,23 +205,51 @@ void WriteCloseUpCaption(Overlay& overlay, vtkRenderWindow* window, const Rows& 
   const Area area = ViewArea(0, false, true);
   const double width = 2.0 * rows.CloseUp.HalfHeight * area.Aspect(window);
   overlay.Write({ "Close-up: the framed area with its triangles, " +
-      ShortText(std::round(10.0 * width) / 10.0) + " mm wide",
+      ShortText(std::round(10.0 * width) / 10.0) + " mm wide" +
+      (rows.Cut ? "; what hides the ring is cut away" : ""),
     { area.LowerLeft[0] + 0.002, BetweenRows }, 0.02, Align::Left, true });
 }
 
-/// Where the camera of ChooseViewpoint() is.
-std::string CameraText(const std::string& frame)
+/// Where a camera is, in words.
+std::string CameraText(const Viewpoint& view, const std::string& frame)
 {
-  return frame == "LPS" ? "the front" : frame == "RAS" ? "the back" : "the side of -y";
+  constexpr double least = 0.45;           // of a direction that counts
+  using Ends = std::array<std::string, 2>; // the lower one first
+  const std::array<Ends, 2> ends = frame == "LPS"
+    ? std::array<Ends, 2>{ { { "the right", "the left" }, { "the front", "the back" } } }
+    : frame == "RAS"
+    ? std::array<Ends, 2>{ { { "the left", "the right" }, { "the back", "the front" } } }
+    : std::array<Ends, 2>{ { { "the side of -x", "the side of x" },
+        { "the side of -y", "the side of y" } } };
+  std::string text;
+  for (const std::size_t axis : { 1, 0 })
+  {
+    const double along = view.ToViewer[axis];
+    if (std::abs(along) > least)
+    {
+      text += (text.empty() ? "" : " and ") + ends[axis][along < 0.0 ? 0 : 1];
+    }
+  }
+  const double up = view.ToViewer[2];
+  return text +
+    (up < 0.0      ? ", from below."
+        : up > 0.5 ? ", from above."
+                   : ", a little from above.");
 }
 
-void WriteFooter(Overlay& overlay, const Distances& distances, const std::string& frame)
+void WriteFooter(
+  Overlay& overlay, const Distances& distances, const Viewpoint& view, const std::string& frame)
 {
   std::vector<std::string> lines = { "The camera is the same along each row. Seen from " +
-    CameraText(frame) + ", a little from above." };
-  if (distances.Array && distances.Largest > distances.Range)
+    CameraText(view, frame) };
+  if (distances.Array && distances.Scale.Tolerance > 0.0)
   {
-    lines.push_back("Colors end at " + ShortText(distances.Range) +
+    lines.push_back("Distances above the tolerance of " + ShortText(distances.Scale.Tolerance) +
+      " mm have the last color.");
+  }
+  else if (distances.Array && distances.Largest > distances.Scale.Range)
+  {
+    lines.push_back("Colors end at " + ShortText(distances.Scale.Range) +
       " mm; the few larger distances have the last color.");
   }
   lines.push_back("This software is not a medical device.");
@@ -195,15 +261,49 @@ void WriteFooter(Overlay& overlay, const Distances& distances, const std::string
   }
 }
 
-std::string DistanceCaption(const Distances& distances)
+std::string DistanceCaption(const Distances& distances, const PictureSubject& subject)
 {
-  return distances.Array ? "Distance, largest " + MeasuredText(distances.Largest) + " mm"
-                         : "Distance not measured";
+  const std::string largest =
+    subject.Mark ? subject.Mark->Largest : MeasuredText(distances.Largest);
+  return distances.Array ? "Distance, largest " + largest + " mm" : "Distance not measured";
 }
 
 bool WasSmoothed(vtkPolyData* after)
 {
   return ReportFields(after).Number("smoothing.largest_displacement").has_value();
+}
+
+/// Whether the third column has the result: the surface of the mark.
+bool ShowsAfter(const PictureSubject& subject)
+{
+  return subject.Mark && !subject.Mark->IsOnBefore;
+}
+
+/// The frames of the close-ups and, if there is a mark, a ring in each of them.
+void MarkViews(
+  Overlay& overlay, vtkRenderWindow* window, const Rows& rows, const PictureSubject& subject)
+{
+  const bool hasTitle = !subject.Title.empty();
+  for (int column = 0; column < Columns; ++column)
+  {
+    MarkCloseUp(overlay, window, column, rows, hasTitle);
+    if (subject.Mark)
+    {
+      const Area area = ViewArea(column, false, hasTitle);
+      overlay.DrawRing({ 0.5 * (area.LowerLeft[0] + area.UpperRight[0]),
+                         0.5 * (area.LowerLeft[1] + area.UpperRight[1]) },
+        subject.Mark->Words);
+    }
+  }
+}
+
+std::string BarTitle(const PictureSubject& subject)
+{
+  return subject.Tolerance > 0.0
+    ? (ShowsAfter(subject) ? "to the reference, mm; tolerance " : "to the result, mm; tolerance ") +
+      ShortText(subject.Tolerance)
+    : ShowsAfter(subject) ? "distance to the reference, mm"
+                          : "distance to the result, mm";
 }
 
 void AddViews(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, const Rows& rows,
@@ -215,7 +315,7 @@ void AddViews(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, 
   const std::vector<NamedLabel> labels = LabelsOf(subject.After);
   for (int column = 0; column < Columns; ++column)
   {
-    vtkPolyData* surface = column == 1 ? after : before;
+    vtkPolyData* surface = column == 1 || (column == 2 && ShowsAfter(subject)) ? after : before;
     const auto bone = MakeBone(surface);
     const auto closeUp = MakeBone(surface);
     if (column < 2)
@@ -230,8 +330,12 @@ void AddViews(vtkRenderWindow* window, vtkPolyData* before, vtkPolyData* after, 
     }
     else if (distances.Array)
     {
-      ColorByDistance(bone, subject.DistanceArrayName, distances.Range);
-      ColorByDistance(closeUp, subject.DistanceArrayName, distances.Range);
+      ColorByDistance(bone, subject.DistanceArrayName, distances.Scale);
+      ColorByDistance(closeUp, subject.DistanceArrayName, distances.Scale);
+    }
+    if (rows.Cut)
+    {
+      closeUp->GetMapper()->AddClippingPlane(rows.Cut);
     }
     AddView(window, ViewArea(column, true, hasTitle), bone, rows.View, rows.Whole);
     AddView(window, ViewArea(column, false, hasTitle), closeUp, rows.View, rows.CloseUp);
@@ -244,8 +348,14 @@ void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject)
   const bool hasTitle = !subject.Title.empty();
   const auto before = TrianglesWithNormals(subject.Before);
   const auto after = TrianglesWithNormals(subject.After);
-  const Distances distances = FindDistances(before, subject);
-  const Rows rows = ChooseRows(window, before, after, distances.Array);
+  vtkPolyData* const third = ShowsAfter(subject) ? after : before;
+  const Distances distances = FindDistances(third, subject);
+  Rows rows = ChooseRows(
+    window, before, after, before->GetPointData()->GetArray(subject.DistanceArrayName.c_str()));
+  if (subject.Mark)
+  {
+    TurnTo(*subject.Mark, before, after, third, ViewArea(0, true, true).Aspect(window), rows);
+  }
   AddBackdrop(window);
   AddViews(window, before, after, rows, distances, subject);
 
@@ -255,27 +365,24 @@ void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject)
     overlay.Write({ subject.Title, { 0.5, 1.0 - 0.5 * TitleHeight }, 0.03, Align::Center, true });
   }
   WriteCaptions(overlay,
-    { "Before: " + GroupedText(CountBefore(before, subject.After)) + " triangles",
-      "After: " + GroupedText(static_cast<double>(after->GetNumberOfPolys())) + " triangles",
-      DistanceCaption(distances) },
+    { subject.Names[0] + ": " + GroupedText(CountBefore(before, subject.After)) + " triangles",
+      subject.Names[1] + ": " + GroupedText(static_cast<double>(after->GetNumberOfPolys())) +
+        " triangles",
+      DistanceCaption(distances, subject) },
     hasTitle);
-  for (int column = 0; column < Columns; ++column)
-  {
-    MarkCloseUp(overlay, window, column, rows, hasTitle);
-  }
+  MarkViews(overlay, window, rows, subject);
   DrawScale(overlay, window, ViewArea(0, true, hasTitle), rows.Whole);
   WriteCloseUpCaption(overlay, window, rows);
   if (!subject.Frame.empty())
   {
     WriteDirections(overlay, ViewArea(0, true, hasTitle), subject.Frame);
   }
-  WriteFooter(overlay, distances, subject.Frame);
+  WriteFooter(overlay, distances, rows.View, subject.Frame);
   if (distances.Array)
   {
     const Area area = ViewArea(2, false, hasTitle);
     overlay.DrawColorBar({ area.LowerLeft[0] + 0.02, 0.005 },
-      { area.UpperRight[0] - 0.02, FooterHeight - 0.01 }, distances.Range,
-      "distance to the result, mm");
+      { area.UpperRight[0] - 0.02, FooterHeight - 0.01 }, distances.Scale, BarTitle(subject));
   }
 }
 }

@@ -7,6 +7,8 @@
 #ifndef BoneDecimate_Applications_Overlay_h
 #define BoneDecimate_Applications_Overlay_h
 
+#include "DistanceColors.h"
+
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -35,6 +37,7 @@ struct Words
   Align Side = Align::Left;
   bool IsBold = false;
   bool IsQuiet = false; ///< Gray.
+  bool IsMark = false;  ///< Blue on white.
 };
 
 class Overlay
@@ -46,11 +49,14 @@ public:
   /// @param width In heights of the window.
   void Draw(const std::vector<Position>& line, double width = 0.002);
   void DrawRectangle(const Position& lowerLeft, const Position& upperRight, double width = 0.002);
-  /// A bar of colors from 0 to range with its title above and numbers below.
-  void DrawColorBar(
-    const Position& lowerLeft, const Position& upperRight, double range, const std::string& title);
+  /// A ring, and words beside it.
+  void DrawRing(const Position& middle, const std::string& words);
+  /// A bar of the colors of a scale with its title above and numbers below.
+  void DrawColorBar(const Position& lowerLeft, const Position& upperRight, const ColorScale& scale,
+    const std::string& title);
 
 private:
+  void Draw(const std::vector<Position>& line, double width, const Color& color);
   int Pixels(double heights) const;
 
   vtkRenderWindow* Window;

@@ -52,14 +52,17 @@ export function lengthText(range, step) {
   return (Math.floor((step / 255) * range * scale + 1e-6) / scale).toFixed(digits);
 }
 
-/** The bar of colors, from 0 to the end of the range; plain up to the threshold. */
-export function drawLegend({ range, colors, isCapped }, threshold) {
+/** The bar of colors, from 0 to the end of the range, or to twice a tolerance; plain up to the threshold. */
+export function drawLegend({ range, colors, isCapped, tolerance }, threshold) {
   const plain = `rgb(${PLAIN})`;
   const at = (step) => `${((100 * step) / 255).toFixed(1)}%`;
-  const stops = colors.map((color, step) => [color, step]).filter(([, step]) => step >= threshold && step % 15 === 0);
+  const stops = colors.map((color, step) => [color, step]).filter(([, step]) => step >= threshold);
   const bar = [`${plain} ${at(threshold)}`, ...stops.map(([color, step]) => `rgb(${color}) ${at(step)}`)];
   find('viewer-bar').style.background = `linear-gradient(to right, ${bar})`;
-  const ticks = [0, 0.25, 0.5, 0.75, 1].map((fraction) => String(Number((fraction * range).toPrecision(3))));
+  const short = (value, digits) => String(Number(value.toPrecision(digits)));
+  const ticks = tolerance
+    ? ['0', `tolerance ${short(tolerance, 4)}`, short(2 * tolerance, 4)]
+    : [0, 0.25, 0.5, 0.75, 1].map((fraction) => short(fraction * range, 3));
   find('viewer-ticks').replaceChildren(
     ...ticks.map((tick, index) => {
       const element = document.createElement('span');

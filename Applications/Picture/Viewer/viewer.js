@@ -165,7 +165,8 @@ export class Viewer {
   freeBefore(position, toViewer) {
     const length = 2 * this.scene.view.radius;
     const end = position.map((value, axis) => value + length * toViewer[axis]);
-    const close = 2 * this.scene.distances.range;
+    const { range, tolerance } = this.scene.distances;
+    const close = 2 * (tolerance ? Math.min(range, Number(this.chosen.distance) || range) : range);
     const shown = [this.surfaces[0], this.surfaces[this.level]].filter(Boolean);
     const hiding = shown.flatMap((surface) => depths(surface, [position, end])).map((depth) => depth * length);
     return 0.5 * hiding.filter((depth) => depth > close && depth < length).reduce((a, b) => Math.min(a, b), 2 * length);

@@ -9,6 +9,7 @@
 
 #include "SurfaceFigures.h"
 
+#include <array>
 #include <cstdint>
 
 namespace bonedecimate
@@ -18,6 +19,16 @@ struct ComparedFigures
   /// After equal points are merged and triangles without area are left out.
   SurfaceStatistics Surface;
   std::int64_t IntersectingPairs = 0; ///< Pairs of its triangles.
+  double Diagonal = 0.0;              ///< Diagonal of the bounding box, mm.
+  std::uint64_t Checksum = 0;         ///< TriangleChecksum() of all triangles.
+};
+
+/// A component of the reference that has no counterpart in the result.
+struct MissingComponent
+{
+  std::int64_t Triangles = 0;
+  double Diagonal = 0.0;          ///< Diagonal of its bounding box, mm.
+  std::array<double, 3> Center{}; ///< Center of its bounding box, mm.
 };
 }
 

@@ -16,7 +16,7 @@ from .document import DATA, IMAGES, RESULTS, ROOT
 from .records import Records, read_file
 
 README, EVIDENCE = ROOT / "README.md", ROOT / "Documentation" / "paper" / "evidence.md"
-FEATURES = tuple(RESULTS / f"{name}.md" for name in ("measurements", "tolerances-and-counts", "triangle-shapes"))
+FEATURES = tuple(RESULTS / f"{name}.md" for name in ("measurements", "thesis-tolerance", "tolerances-and-counts", "triangle-shapes"))
 
 
 def with_parts(page: Path, parts: dict[str, str]) -> str:
@@ -28,7 +28,7 @@ def with_parts(page: Path, parts: dict[str, str]) -> str:
 def evidence(data: Records) -> dict[str, str]:
     """The tables of the paper."""
     audit, certificates = (read_file(RESULTS / DATA / name) for name in audit_page.FILES)
-    return {"audit": audit_page.kept_by_program(audit), "certificates": audit_page.beside_others(certificates),
+    return {"audit": audit_page.kept_by_program(audit), "certificates": audit_page.beside_others_by_bone(certificates),
             "equal counts": tables.by_method(data["comparison"], lambda record: tables.number(tables.worst(record, "rms"))),
             "proved": tables.thesis_errors(data["errors"]), "thesis": tables.thesis_counts(data["comparison"])}
 

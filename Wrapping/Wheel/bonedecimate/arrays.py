@@ -194,7 +194,8 @@ def certify(
     boundaries, means : bool
         Compare open boundaries curve to curve; estimate average and root mean square to the ratio `mean_precision`, 1e-4 to 1.
     surfaces : bool
-        The report also has the triangles, components, boundary edges, area, volume and intersecting pairs of triangles of each.
+        The report also has the triangles, components, boundary edges, area, volume and intersecting pairs of triangles of each,
+        and ``missing.*``: components of the reference that the result lacks. Warnings name these and what else bounds do not tell.
     threads, progress
         As `decimate` takes them.
 
@@ -217,6 +218,7 @@ def certify(
     with listener(progress) as heard:
         outcome = _core.certify(*first[:2], *second[:2], options, has_figures, heard, list(first.left_out), list(second.left_out))
     _raise_comparison_problems(outcome)
+    warn(outcome["warnings"], 2)
     return Certificate(outcome, voxels)
 
 

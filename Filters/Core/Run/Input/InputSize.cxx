@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputSize.h"
 
+#include "Mesh/BoneSize.h"
 #include "Tolerances.h"
 
 #include <algorithm>
@@ -10,25 +11,7 @@ namespace bonedecimate
 {
 namespace
 {
-constexpr double MaxRatio = 0.25; // of an error to the diagonal
-constexpr double MinRatio = 1e-6; // the same
-
-/// mm
-double DiagonalOf(const std::vector<Vector3>& points)
-{
-  if (points.empty())
-  {
-    return 0.0;
-  }
-  Vector3 least = points.front();
-  Vector3 most = points.front();
-  for (const Vector3& p : points)
-  {
-    least = least.cwiseMin(p);
-    most = most.cwiseMax(p);
-  }
-  return (most - least).norm();
-}
+constexpr double MinRatio = 1e-6; // of an error to the diagonal
 }
 
 SizeFigures MeasureSize(
@@ -54,7 +37,7 @@ SizeFigures MeasureSize(
 //------------------------------------------------------------------------------
 InputStatus CheckSize(const SizeFigures& size, const Options& options)
 {
-  if (size.MaxError > MaxRatio * size.Diagonal && !options.AllowLargeError)
+  if (size.MaxError > LargestErrorRatio * size.Diagonal && !options.AllowLargeError)
   {
     return InputStatus::ErrorBeyondSize;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CertificateTable.h"
 
+#include "Mesh/Checksum.h"
 #include "ProofSentence.h"
 #include "ReportEntries.h"
 #include "Words.h"
@@ -56,6 +57,21 @@ void AddCompared(
   {
     AddCounts(entries, side, figures->Surface);
     entries.push_back({ side + ".intersecting_pairs", "", figures->IntersectingPairs });
+    entries.push_back({ side + ".diagonal", "mm", figures->Diagonal });
+    entries.push_back({ side + ".checksum", "", TriangleChecksumText(figures->Checksum) });
+  }
+}
+
+void AddMissing(Entries& entries, const std::vector<MissingComponent>& missing)
+{
+  for (std::size_t i = 0; i < missing.size(); ++i)
+  {
+    const std::string path = "missing." + std::to_string(i);
+    entries.push_back({ path + ".triangles", "", missing[i].Triangles });
+    entries.push_back({ path + ".diagonal", "mm", missing[i].Diagonal });
+    entries.push_back({ path + ".x", "mm", missing[i].Center[0] });
+    entries.push_back({ path + ".y", "mm", missing[i].Center[1] });
+    entries.push_back({ path + ".z", "mm", missing[i].Center[2] });
   }
 }
 }
@@ -95,6 +111,7 @@ std::vector<ReportEntry> CertificateEntries(const Certificate& certificate, cons
   entries.push_back({ "seconds", "s", certificate.Seconds });
   AddCompared(entries, "reference", pair.Reference);
   AddCompared(entries, "result", pair.Result);
+  AddMissing(entries, pair.Missing);
   AddLeftOut(entries, "left_out", pair.LeftOut);
   AddDirection(entries, "reference_to_result", certificate.ReferenceToResult);
   AddDirection(entries, "result_to_reference", certificate.ResultToReference);

@@ -58,16 +58,34 @@ std::vector<std::string> SizeWarnings(const SizeFigures& size)
 }
 
 //------------------------------------------------------------------------------
-std::string UnitsWarning(double before, double after)
+std::vector<std::string> PairSizeWarnings(
+  const Surface& reference, const Surface& result, double tolerance)
 {
+  const double before = DiagonalOf(reference.Points);
+  const double after = DiagonalOf(result.Points);
+  std::vector<std::string> warnings;
+  const std::string units = "; the coordinates may not be in millimeters";
+  if (before > 0.0 && tolerance > LargestErrorRatio * before)
+  {
+    warnings.push_back("the tolerance of " + SentenceNumber(tolerance) +
+      " mm is more than a quarter of the diagonal of the reference's bounding box, " +
+      Millimeters(before) + units);
+  }
+  else if (before > 0.0 && !IsBoneSize(before))
+  {
+    warnings.push_back("the diagonal of the reference's bounding box is " + Millimeters(before) +
+      ", which is not the size of a bone" + units);
+  }
   constexpr double most = 9.0;
-  const bool areAlike =
-    before == 0.0 || after == 0.0 || std::max(before / after, after / before) < most;
-  char text[120];
-  std::snprintf(text, sizeof(text),
-    "the diagonal of the result is %.3g times that of the reference: the surfaces may have "
-    "different units",
-    after / before);
-  return areAlike ? std::string() : text;
+  if (before > 0.0 && after > 0.0 && std::max(before / after, after / before) >= most)
+  {
+    char text[120];
+    std::snprintf(text, sizeof(text),
+      "the diagonal of the result is %.3g times that of the reference: the surfaces may have "
+      "different units",
+      after / before);
+    warnings.emplace_back(text);
+  }
+  return warnings;
 }
 }

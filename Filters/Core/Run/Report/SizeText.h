@@ -9,6 +9,7 @@
 
 #include "Figures/InputFigures.h"
 #include "Figures/InputStatus.h"
+#include "Geometry/Surface.h"
 
 #include <string>
 #include <vector>
@@ -21,10 +22,12 @@ std::string SizeMessage(const SizeFigures& size, InputStatus status);
 /// Warnings: the size is odd, or a smaller error than the requested one was used.
 std::vector<std::string> SizeWarnings(const SizeFigures& size);
 
-/// A warning for two surfaces of which one is nine or more times as large as the other: bones of
-/// one unit hardly are; mm, cm, inches and m are. Empty for others.
-/// @param before,after Diagonals of the reference and the result, mm.
-std::string UnitsWarning(double before, double after);
+/// Warnings of surfaces that are compared: a tolerance of more than a quarter of the reference, or
+/// a reference that is not the size of a bone; a surface nine or more times as large as the other,
+/// which bones of one unit hardly are, but mm, cm, inches and m are.
+/// @param tolerance The largest, mm; 0: none.
+std::vector<std::string> PairSizeWarnings(
+  const Surface& reference, const Surface& result, double tolerance);
 }
 
 #endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PairWarnings.h
+ * @brief What bounds of a distance do not say of two surfaces.
+ */
+#ifndef BoneDecimate_Core_Run_Report_PairWarnings_h
+#define BoneDecimate_Core_Run_Report_PairWarnings_h
+
+#include "CertificateTable.h"
+
+#include <string>
+#include <vector>
+
+namespace bonedecimate
+{
+/// A sentence for each: missing components, a closed result that is inside out, more non-manifold
+/// edges, more intersecting pairs of triangles, and two surfaces that are the same. Empty unless
+/// both were measured.
+std::vector<std::string> PairWarnings(const PairFigures& pair);
+}
+
+#endif
