@@ -40,7 +40,7 @@ def run_ranks(build: Path, prefix: Path, surface: Path, mode: str, ranks: int, r
     environment.pop("PYTHONPATH", None)
     plugin = next((build / "paraview").glob("lib*/**/BoneDecimate.so"))
     subprocess.run(["mpiexec", "-n", str(ranks), str(prefix / "bin" / "pvbatch"), "--sym", str(SCRIPT), str(plugin), str(surface), mode, str(ERROR), str(result)],
-                   env=environment, check=True)
+                   env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
     return [json.loads(Path(f"{result}-{rank}.json").read_text(encoding="ascii")) for rank in range(ranks)]
 
 
@@ -49,7 +49,7 @@ def join(parts: list[Path], result: Path) -> None:
     import numpy as np
     import pyvista
 
-    surfaces = [pyvista.read(part) for part in parts if os.path.getsize(part)]
+    surfaces = [surface for surface in map(pyvista.read, parts) if surface.n_cells]
     offsets = np.cumsum([0, *(surface.n_points for surface in surfaces)])
     points, which = np.unique(np.vstack([surface.points for surface in surfaces]), axis=0, return_inverse=True)
     triangles = np.vstack([surface.regular_faces + offset for surface, offset in zip(surfaces, offsets)])
