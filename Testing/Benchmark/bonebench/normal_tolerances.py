@@ -19,7 +19,7 @@ def normal_tolerance(lab: Lab) -> Iterator[Row]:
     for bone, percent in itertools.product(lab.bones(), PERCENT):
         count = 2 * round(percent * bone.triangles / 200)
         row: Row = {"bone": bone.name, "remaining, %": percent, "w": None}
-        for words, how in (((), "0.95"), (("--auto-normal-tolerance",), "rule")):
+        for words, how in (((), "0.95"), (("--auto-normal-tolerance", "on"), "rule")):
             done = lab.run(bone.file, "--mode", "Thesis", "--target-triangles", count, *words, "--measure", "off")
             row["w"] = done.report["normal_tolerance"]
             row.update({f"{column} {how}": value for column, value in lab.distances(bone.file).items()})
