@@ -93,18 +93,22 @@ std::string ViolatingBoundary(const ReportFields& report)
   std::string found;
   for (const std::string& direction : Directions)
   {
-    found = isViolated("boundary_" + direction) ? "boundary_" + direction : found;
+    if (isViolated(direction))
+    {
+      return {};
+    }
+    const std::string boundary = "boundary_" + direction;
+    found = isViolated(boundary) ? boundary : found;
   }
-  return isViolated(Directions[0]) || isViolated(Directions[1]) ? std::string() : found;
+  return found;
 }
 
 /// From SOURCE_DATE_EPOCH, which makes outputs reproducible, or the clock.
 std::string DateText()
 {
   const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t time = fixed && *fixed
-    ? static_cast<std::time_t>(std::strtoll(fixed, nullptr, 10))
-    : std::time(nullptr);
+  const std::time_t time =
+    fixed && *fixed ? std::time_t{ std::strtoll(fixed, nullptr, 10) } : std::time(nullptr);
   const std::tm* const utc = std::gmtime(&time);
   char text[40] = "";
   return utc && std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", utc) > 0 ? text
@@ -348,7 +352,7 @@ std::optional<PictureMark> MarkOfCertificate(const std::string& certificate)
 {
   const ReportFields report(certificate);
   const std::string boundary = ViolatingBoundary(report);
-  const std::string farther = Directions[FartherOf(report)];
+  const std::string& farther = Directions[FartherOf(report)];
   const double lower = report.Number("lower").value_or(0.0);
   if (boundary.empty() && LargestOf(report, farther).Distance <= 0.0)
   {
