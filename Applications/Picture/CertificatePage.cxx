@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -101,18 +100,6 @@ std::string ViolatingBoundary(const ReportFields& report)
     found = isViolated(boundary) ? boundary : found;
   }
   return found;
-}
-
-/// From SOURCE_DATE_EPOCH, which makes outputs reproducible, or the clock.
-std::string DateText()
-{
-  const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
-  const std::time_t time =
-    fixed && *fixed ? std::time_t{ std::strtoll(fixed, nullptr, 10) } : std::time(nullptr);
-  const std::tm* const utc = std::gmtime(&time);
-  char text[40] = "";
-  return utc && std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", utc) > 0 ? text
-                                                                                 : "not known";
 }
 
 std::string BoundsText(const ReportFields& report, const std::string& path)
@@ -210,11 +197,15 @@ std::string CountOf(const ReportFields& report, const std::string& name)
 }
 
 /// The components of the result, and how many of the reference it lacks.
-std::string ComponentsTile(const ReportFields& report)
+std::string ComponentsTile(const ReportFields& report, const std::string& frame)
 {
   const std::optional<double> before = report.Number("reference.components");
   const std::optional<double> after = report.Number("result.components");
-  const std::size_t missing = report.NamesBelow("missing.").size() / 5; // figures of each
+  int missing = 0;
+  while (report.Number("missing." + std::to_string(missing) + ".triangles"))
+  {
+    ++missing;
+  }
   std::string words = "components (separate pieces) in the result";
   if (missing > 0)
   {
@@ -222,9 +213,7 @@ std::string ComponentsTile(const ReportFields& report)
       (missing > 1 ? " " + std::to_string(missing) + ", the largest with " : std::string(": ")) +
       CountOf(report, "missing.0.triangles") + " triangles, " +
       ShortText(report.Number("missing.0.diagonal").value_or(0.0)) + " mm, at " +
-      FixedText(report.Number("missing.0.x").value_or(0.0), 1) + ", " +
-      FixedText(report.Number("missing.0.y").value_or(0.0), 1) + ", " +
-      FixedText(report.Number("missing.0.z").value_or(0.0), 1);
+      AnatomicalText(PositionOf(report, "missing.0."), frame);
   }
   return FigureTile(CountOf(report, "result.components") +
       (after > before ? " instead of " : " of ") + CountOf(report, "reference.components"),
@@ -249,7 +238,7 @@ std::string Headline(const ReportFields& report, const std::string& frame)
   std::string tiles;
   if (report.Number("reference.components"))
   {
-    tiles = ComponentsTile(report) +
+    tiles = ComponentsTile(report, frame) +
       FigureTile(CountOf(report, "result.triangles"),
         "triangles; the reference has " + CountOf(report, "reference.triangles"));
   }

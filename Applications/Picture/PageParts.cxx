@@ -9,6 +9,8 @@
 #include "vtkBase64Utilities.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 
@@ -85,6 +87,17 @@ std::string EmbeddedPicture(const std::string& file, const std::string& surfaces
   const std::string png = Base64Of(file);
   return png.empty() ? PageBlock("no picture")
                      : PageBlock("picture", { { "png", png }, { "surfaces", surfaces } });
+}
+
+std::string DateText()
+{
+  const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t time =
+    fixed && *fixed ? std::time_t{ std::strtoll(fixed, nullptr, 10) } : std::time(nullptr);
+  const std::tm* const utc = std::gmtime(&time);
+  char text[40] = "";
+  return utc && std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", utc) > 0 ? text
+                                                                                 : "not known";
 }
 
 std::size_t BytesOfViewer(std::size_t bytesOfPicture)

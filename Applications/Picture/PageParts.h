@@ -35,6 +35,9 @@ std::string Base64Of(const std::string& file);
 std::string EmbeddedPicture(
   const std::string& file, const std::string& surfaces = "The bone before and after");
 
+/// The date of a page: from SOURCE_DATE_EPOCH, which makes outputs reproducible, or the clock.
+std::string DateText();
+
 /// What a page of 20 MB leaves to the interactive view.
 std::size_t BytesOfViewer(std::size_t bytesOfPicture);
 

@@ -27,7 +27,7 @@ class ShortForm(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.work = pathlib.Path(folder.name)
-        cls.done = run_features(cls.work, "angles", "lengths", "--bone", "specimen-4000", "--samples", "5000")
+        cls.done = run_features(cls.work, "angles", "lengths", "normal-tolerance", "--bone", "specimen-4000", "--samples", "5000")
 
     def table(self, name):
         with (self.work / "features" / f"features-{name}.csv").open(newline="", encoding="utf-8") as stream:
@@ -41,6 +41,15 @@ class ShortForm(unittest.TestCase):
             counts = [int(row[f"{degrees} degrees: triangles"]) for degrees in (0, 20, 30)]
             self.assertEqual(counts, sorted(counts))
             self.assertLess(int(row["below 20"]), counts[1] / 20)
+
+    def test_the_rule_of_the_thesis_lowers_w_with_the_triangles(self):
+        rows = self.table("normal-tolerance")
+        self.assertEqual([row["remaining, %"] for row in rows], ["40", "30", "20", "10", "3"])
+        chosen = [float(row["w"]) for row in rows]
+        self.assertAlmostEqual(chosen[0], 0.89, delta=0.01)
+        self.assertEqual(chosen, sorted(chosen, reverse=True))
+        self.assertEqual(chosen[-1], 0)
+        self.assertTrue(all(float(row[f"mean, mm {how}"]) > 0 for row in rows for how in ("0.95", "rule")))
 
     def test_lengths_keep_the_largest_error(self):
         rows = self.table("lengths")

@@ -17,7 +17,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -123,10 +122,12 @@ void CheckTogether(const CLI::App& app, const CertifyArguments& arguments)
 void Check(const CLI::App& command, const CertifyArguments& arguments)
 {
   const bool isAlone = !arguments.Map.Path.empty() && arguments.Files.size() == 1;
-  RequireFiles(command, arguments.Files,
-    isAlone ? 1 : std::max<std::size_t>(2, arguments.Files.size()),
-    arguments.Map.Path.empty() ? "REFERENCE RESULT, or a RESULT and --labels MAP"
-                               : "a RESULT, or REFERENCE RESULT");
+  if (!isAlone && arguments.Files.size() < 2)
+  {
+    RequireFiles(command, arguments.Files, 2,
+      arguments.Map.Path.empty() ? "REFERENCE RESULT..., or a RESULT and --labels MAP"
+                                 : "a RESULT, or REFERENCE RESULT");
+  }
   CheckTogether(command, arguments);
   std::vector<std::string> read = arguments.Files;
   read.push_back(arguments.Map.Path);
@@ -235,7 +236,7 @@ void AddCertifyCommand(CLI::App& program, ExitCode& code)
     "directions, of surfaces and of open boundaries, and where it is. With a label map it counts "
     "the voxels that have another label in RESULT. REFERENCE may be a CT volume with --iso. "
     "Several results are compared with one reference, and of two folders what has the same name.");
-  AddSurfaces(command, arguments->Files, "Two surfaces, or one with --labels");
+  AddSurfaces(command, arguments->Files, "Two or more surfaces, or one with --labels");
   AddOptions(command, *arguments);
   command.final_callback(
     [&command, arguments, &code]

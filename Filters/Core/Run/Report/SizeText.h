@@ -25,7 +25,7 @@ std::vector<std::string> SizeWarnings(const SizeFigures& size);
 /// Warnings of surfaces that are compared: a tolerance of more than a quarter of the reference, or
 /// a reference that is not the size of a bone; a surface nine or more times as large as the other,
 /// which bones of one unit hardly are, but mm, cm, inches and m are.
-/// @param tolerance The largest, mm; 0: none.
+/// @param tolerance The largest, mm; 0 or less: none.
 std::vector<std::string> PairSizeWarnings(
   const Surface& reference, const Surface& result, double tolerance);
 }
