@@ -287,7 +287,7 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   options.WithBoundaries = this->MeasureBoundaries;
   options.WithMeans = this->MeasureMeans;
   options.MeanPrecision = this->MeanPrecision;
-  options.WithPointDistances = true;
+  options.WithPointDistances = !this->Internal->SignedDistanceArrayName.empty();
   options.NumberOfThreads = this->NumberOfThreads;
   options.OnBounds = nullptr;
   if (this->FollowBounds)

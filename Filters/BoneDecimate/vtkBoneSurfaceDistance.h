@@ -154,7 +154,8 @@ public:
 
   ///@{
   /**
-   * Name of the array of the signed distances, mm. Default "SignedDistance".
+   * Name of the array of the signed distances, mm. Default "SignedDistance". Empty: neither
+   * distances nor sides of points are computed, which takes less time.
    */
   void SetSignedDistanceArrayName(const std::string& name);
   std::string GetSignedDistanceArrayName() const;

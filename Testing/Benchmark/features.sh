@@ -5,7 +5,7 @@
 # Tables of single features: least angles, edge lengths, voxels, tunnels, levels, slabs, non-manifold edges, sharp edges; remeshers, volume meshers,
 # label maps and strokes of a brush, in which other programs take part.
 #
-#   Testing/Benchmark/features.sh [TABLE ...] [--bone FILE ...] [--skull FILE] [--with-meshlib] [--write-docs]
+#   Testing/Benchmark/features.sh [TABLE ...] [--bone FILE ...] [--skull FILE] [--large] [--with-meshlib] [--write-docs]
 #
 # Builds as run.sh does, and installs the other programs into FOLDER/benchmark/venv. Files stay in FOLDER/benchmark/features. --help explains the options.
 set -euo pipefail

@@ -122,6 +122,19 @@ TEST(SurfaceDistanceFilter, GivesEachPointItsSignedDistanceOnBothOutputs)
     run->GetOutput()->GetPointData()->GetArray("SignedDistance")->GetComponentName(0), "mm");
 }
 
+TEST(SurfaceDistanceFilter, WithoutANameThereAreNoDistancesOfPoints)
+{
+  DistanceRun with(Sphere(3), PolyData(Scaled(Icosphere(3, 10.0), 1.1)));
+  with->Update();
+  DistanceRun without(Sphere(3), PolyData(Scaled(Icosphere(3, 10.0), 1.1)));
+  without->SetSignedDistanceArrayName({});
+  without->Update();
+  EXPECT_EQ(without->GetOutput(0)->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(without->GetOutput(1)->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(without->GetLowerBound(), with->GetLowerBound());
+  EXPECT_EQ(without->GetUpperBound(), with->GetUpperBound());
+}
+
 TEST(SurfaceDistanceFilter, ChecksATolerance)
 {
   DistanceRun run(Plate(0.0), Plate(0.25));

@@ -50,6 +50,20 @@ TEST(CertificateBoundaries, AreTheEdgesOfOneTriangle)
   }
 }
 
+TEST(CertificateBoundaries, SidesAreTheSameForAnyNumberOfThreads)
+{
+  for (const NamedPair& pair : SmallPairs())
+  {
+    const certificate::EdgeSides one = SidesOf(pair.Reference);
+    for (const int threads : { 2, 3, 64 })
+    {
+      EXPECT_EQ(
+        certificate::FindEdgeSides(pair.Reference.Points, pair.Reference.Triangles, threads), one)
+        << pair.Name << ", " << threads;
+    }
+  }
+}
+
 TEST(CertificateBoundaries, AreFoundBetweenRepeatedPoints)
 {
   for (const Surface& shape : { HoledPlate(6), OpenCylinder(8, 3), Annulus(8, 2) })

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <string>
+
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -14,6 +17,41 @@ TEST(Parallel, ARequestedNumberOfThreadsIsTaken)
 {
   EXPECT_EQ(ThreadsToUse(3), HasThreads ? 3U : 1U);
   EXPECT_GE(ThreadsToUse(0), 1U);
+}
+
+TEST(Parallel, BothAreRunAndWhatOneThrowsIsRethrown)
+{
+  const auto run = [](int threads, const std::string& thrower)
+  {
+    std::array<bool, 2> isDone = { false, false };
+    const auto task = [&](const std::string& name, bool& done)
+    {
+      if (name == thrower)
+      {
+        throw std::runtime_error(name);
+      }
+      done = true;
+    };
+    std::string thrown;
+    try
+    {
+      RunBoth(
+        threads, [&] { task("other", isDone[0]); }, [&] { task("mine", isDone[1]); });
+    }
+    catch (const std::runtime_error& error)
+    {
+      thrown = error.what();
+    }
+    EXPECT_EQ(thrown, thrower) << threads;
+    EXPECT_EQ(isDone[0], thrower != "other") << threads;
+    EXPECT_EQ(isDone[1], thrower != "mine") << threads;
+  };
+  for (const int threads : { 1, 2, 5 })
+  {
+    run(threads, "");
+    run(threads, "other");
+    run(threads, "mine");
+  }
 }
 
 #if defined(__linux__) && !defined(BONEDECIMATE_WITHOUT_THREADS)

@@ -89,6 +89,10 @@ void CertifyRun::Compare()
   this->Filter->SetMeasureMeans(!this->Requested.WithoutMeans);
   this->Filter->SetMeanPrecision(this->Requested.Precision);
   this->Filter->SetNumberOfThreads(this->Requested.Threads);
+  if (this->Requested.Page.empty())
+  {
+    this->Filter->SetSignedDistanceArrayName({}); // only the page has distances of points
+  }
   const bool hasFile = !this->Requested.Json.empty() || !this->Requested.Page.empty();
   this->Filter->SetMeasureSurfaces(
     hasFile || !(this->Requested.Quiet || this->Requested.FirstProof));

@@ -34,6 +34,7 @@ void Certify(const ProvedRun& run, vtkPolyData* readBack, const std::string& tar
   distance->SetTightBounds(false);
   distance->SetMeasureBoundaries(run.WithBoundaries);
   distance->SetMeasureMeans(false);
+  distance->SetSignedDistanceArrayName({});
   distance->SetNumberOfThreads(run.NumberOfThreads);
   distance->Update();
   if (distance->GetStatus() != vtkBoneSurfaceDistance::PROVED)

@@ -70,6 +70,7 @@ double ProvedDistanceOf(vtkPolyData* reference, vtkPolyData* surface, const Argu
   distance->SetRelativeGap(gap);
   distance->SetMeasureBoundaries(false);
   distance->SetMeasureMeans(false);
+  distance->SetSignedDistanceArrayName({});
   distance->SetNumberOfThreads(arguments.Options.NumberOfThreads);
   AcceptMessages(UpdateFilter(distance, Progress::Hidden), arguments.Inputs[0], warnings);
   return distance->GetUpperBound();

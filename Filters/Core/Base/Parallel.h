@@ -11,6 +11,7 @@
 #include "Monitor.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <exception>
 #include <new>
@@ -64,6 +65,43 @@ bool StartThreads(std::vector<std::thread>& threads, std::size_t count, const Ru
   catch (const std::bad_alloc&)
   {
     return false;
+  }
+}
+
+/// Calls both, `other` on a thread of its own if there may be several; rethrows what they throw.
+template <typename Other, typename Mine>
+void RunBoth(int threads, const Other& other, const Mine& mine)
+{
+  std::array<std::exception_ptr, 2> failures;
+  const auto guarded = [](std::exception_ptr& failure, const auto& run)
+  {
+    try
+    {
+      run();
+    }
+    catch (...)
+    {
+      failure = std::current_exception();
+    }
+  };
+  std::vector<std::thread> helper;
+  const bool isStarted = ThreadsToUse(threads) > 1 &&
+    StartThreads(helper, 1, [&](std::size_t) { guarded(failures[0], other); });
+  if (!isStarted)
+  {
+    guarded(failures[0], other);
+  }
+  guarded(failures[1], mine);
+  for (std::thread& thread : helper)
+  {
+    thread.join();
+  }
+  for (const std::exception_ptr& thrown : failures)
+  {
+    if (thrown)
+    {
+      std::rethrow_exception(thrown);
+    }
   }
 }
 

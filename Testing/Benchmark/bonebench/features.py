@@ -63,6 +63,7 @@ class Lab:
     skull: Path | None  # a surface with non-manifold edges
     python: str  # with the VTK of the filters
     with_meshlib: bool
+    is_large: bool  # with surfaces of 10^7 and 10^8 triangles
 
     def use_filters(self) -> None:
         """Lets programs of Python find the filters."""
@@ -181,14 +182,17 @@ def levels(lab: Lab) -> Iterator[Row]:
 
 
 def slabs(lab: Lab) -> Iterator[Row]:
-    """A volume that is read in parts."""
+    """Volumes that are read in parts: their side in voxels, and the memory."""
     volume = lab.folder / "trabeculae.mha"
-    subprocess.run([lab.programs.path("phantom"), volume, "--trabeculae", "320"], check=True, stdout=subprocess.DEVNULL)
-    for memory in (None, "512M", "256M"):
+    runs = [(320, None), (320, "512M"), (320, "256M"), *([(860, "2G"), (1500, "4G")] if lab.is_large else [])]
+    for side, memory in runs:
+        subprocess.run([lab.programs.path("phantom"), volume, "--trabeculae", str(side)], check=True, stdout=subprocess.DEVNULL)
         options = ("--memory", memory) if memory else ()
         done = lab.run(volume, "--iso", 127.5, "--mode", "Fast", "--max-error", "halfvoxel", "--measure", "off", *options)
-        yield {"--memory": memory, "triangles": done.triangles, "proved, mm": done.report["proof"]["upper"], "CPU s": done.cpu_seconds,
+        yield {"--trabeculae": side, "triangles of the volume": done.report["input"]["triangles"], "--memory": memory, "slabs": done.report.get("slabs", {}).get("count"),
+               "triangles": done.triangles, "proved, mm": done.report["proof"]["upper"], "CPU s": done.cpu_seconds,
                "largest memory, MB": round(done.megabytes)}
+    volume.unlink()
 
 
 def non_manifold(lab: Lab) -> Iterator[Row]:
@@ -238,6 +242,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--skull", type=Path, metavar="FILE", help="a surface with non-manifold edges, for the table non-manifold")
     parser.add_argument("--samples", type=int, default=200000, help="samples in each direction (200000)")
     parser.add_argument("--write-docs", action="store_true", help="write the tables into Documentation/results")
+    parser.add_argument("--large", action="store_true", help="slabs of surfaces of 10^7 and 10^8 triangles, too; two hours and 8 GB of disk")
     parser.add_argument("--with-meshlib", action="store_true", help="MeshLib takes part, too; its license is non-commercial")
     parser.add_argument("--python", default=sys.executable, help=argparse.SUPPRESS)
     parser.add_argument("--programs", type=Path, required=True, help=argparse.SUPPRESS)
@@ -255,7 +260,8 @@ def main() -> int:
     programs, work = Programs(options.programs.resolve()), options.work.resolve()
     folder = work / "features"
     folder.mkdir(parents=True, exist_ok=True)
-    lab = Lab(programs, Workshop(programs, work), Verifier(programs, options.samples), folder, options.bone or BONES, options.skull, options.python, options.with_meshlib)
+    lab = Lab(programs, Workshop(programs, work), Verifier(programs, options.samples), folder, options.bone or BONES, options.skull, options.python, options.with_meshlib,
+              options.large)
     commit = machine.commit()
     for table in options.tables or TABLES:
         rows = []

@@ -145,10 +145,14 @@ void DirectedSearch::Conclude()
 }
 
 //------------------------------------------------------------------------------
-void DirectedSearch::BuildTarget(Stages& progress)
+void DirectedSearch::BuildTarget(const std::function<void()>& afterStep)
 {
-  const Monitor tell = progress.Next(0.0);
-  this->To.emplace(this->TargetSet, this->Goal.NumberOfThreads, [&] { tell(1.0); });
+  this->To.emplace(this->TargetSet, this->Goal.NumberOfThreads, afterStep);
+}
+
+//------------------------------------------------------------------------------
+void DirectedSearch::TakeParts()
+{
   if (this->TellOuter)
   {
     this->Narrow(this->UpperOfParts(), {});

@@ -34,7 +34,10 @@ public:
   DirectedSearch(const Simplices& source, const Simplices& target, const PairTask& task,
     double triangleGap, std::function<void()> tell);
 
-  void BuildTarget(Stages& progress);
+  /// Builds the tree, then may be called on another thread.
+  void BuildTarget(const std::function<void()>& afterStep);
+  /// Narrows the bounds by what the tree tells.
+  void TakeParts();
   void FindValues(Stages& progress, double weight);
   void FindDistance(Stages& progress, double weight);
   /// @param limit mm, at each point of the source; finite for one at least.

@@ -50,32 +50,31 @@ std::vector<Index> FirstPointAtEachPosition(const std::vector<Vector3>& points)
   return same;
 }
 
-/// Matches the sides of triangles. Point p has the id ids[p].
+/// Matches the sides of triangles whose ends of lower id are in a range. Point p has the id ids[p].
 class EdgeMatch
 {
 public:
-  EdgeMatch(const std::vector<Triangle>& triangles, const std::vector<Index>& ids)
+  EdgeMatch(const std::vector<Triangle>& triangles, const std::vector<Index>& ids, EdgeSides& sides)
     : Triangles(triangles)
     , Ids(ids)
-    , Starts(ids.size() + 2, 0)
-    , Sides(triangles.size(), { NotRegular, NotRegular, NotRegular })
+    , Sides(sides)
   {
   }
 
-  EdgeSides Run(int threads)
+  void Run(Index first, Index last)
   {
-    this->ForEachSide([&](Index low, const HalfEdge&) { ++this->Starts[low + 2]; });
-    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
-    this->HalfEdges.resize(this->Starts.back());
-    this->ForEachSide(
-      [&](Index low, const HalfEdge& half) { this->HalfEdges[this->Starts[low + 1]++] = half; });
-    ForEachId(this->Starts.size() - 2, threads,
-      [&](std::size_t low)
-      {
-        this->MatchAt(this->HalfEdges.begin() + static_cast<std::ptrdiff_t>(this->Starts[low]),
-          this->HalfEdges.begin() + static_cast<std::ptrdiff_t>(this->Starts[low + 1]));
-      });
-    return std::move(this->Sides);
+    std::vector<std::uint32_t> starts(static_cast<std::size_t>(last - first) + 2, 0);
+    this->ForEachSide(first, last, [&](Index low, const HalfEdge&) { ++starts[low - first + 2]; });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<HalfEdge> halfEdges(starts.back()); // of each point those to points of higher ids
+    this->ForEachSide(first, last,
+      [&](Index low, const HalfEdge& half) { halfEdges[starts[low - first + 1]++] = half; });
+    const auto at = [&](Index low)
+    { return halfEdges.begin() + static_cast<std::ptrdiff_t>(starts[low - first]); };
+    for (Index low = first; low < last; ++low)
+    {
+      this->MatchAt(at(low), at(low + 1));
+    }
   }
 
 private:
@@ -88,7 +87,7 @@ private:
   using Iterator = std::vector<HalfEdge>::iterator;
 
   template <typename Visit>
-  void ForEachSide(const Visit& visit) const
+  void ForEachSide(Index first, Index last, const Visit& visit) const
   {
     for (std::size_t t = 0; t < this->Triangles.size(); ++t)
     {
@@ -101,7 +100,10 @@ private:
       for (std::uint32_t side = 0; side < 3; ++side)
       {
         const auto [low, high] = std::minmax(ids[side], ids[(side + 1) % 3]);
-        visit(low, HalfEdge{ high, static_cast<std::uint32_t>(3 * t) + side });
+        if (low >= first && low < last)
+        {
+          visit(low, HalfEdge{ high, static_cast<std::uint32_t>(3 * t) + side });
+        }
       }
     }
   }
@@ -133,10 +135,21 @@ private:
 
   const std::vector<Triangle>& Triangles;
   const std::vector<Index>& Ids;
-  std::vector<std::uint32_t> Starts; // for each point its first edge to points of higher ids
-  std::vector<HalfEdge> HalfEdges;
-  EdgeSides Sides;
+  EdgeSides& Sides;
 };
+
+/// Each thread matches the sides of a range of points.
+EdgeSides MatchEdges(
+  const std::vector<Triangle>& triangles, const std::vector<Index>& ids, int threads)
+{
+  EdgeSides sides(triangles.size(), { NotRegular, NotRegular, NotRegular });
+  const std::size_t parts = ThreadsToUse(threads);
+  const auto begin = [&](std::size_t part)
+  { return static_cast<Index>(ids.size() * part / parts); };
+  ForEachPart(parts, threads, Monitor(),
+    [&](std::size_t part) { EdgeMatch(triangles, ids, sides).Run(begin(part), begin(part + 1)); });
+  return sides;
+}
 
 bool HasBoundaries(const EdgeSides& sides)
 {
@@ -151,11 +164,11 @@ EdgeSides FindEdgeSides(
 {
   std::vector<Index> ids(points.size());
   std::iota(ids.begin(), ids.end(), 0);
-  EdgeSides sides = EdgeMatch(triangles, ids).Run(threads);
+  EdgeSides sides = MatchEdges(triangles, ids, threads);
   if (HasBoundaries(sides)) // merging points can only remove boundaries
   {
-    ids = FirstPointAtEachPosition(points);
-    sides = EdgeMatch(triangles, ids).Run(threads);
+    std::vector<Index> merged = FirstPointAtEachPosition(points);
+    sides = merged == ids ? std::move(sides) : MatchEdges(triangles, merged, threads);
   }
   return sides;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PairCertificate.h"
 
+#include "Base/Parallel.h"
 #include "DirectedSearch.h"
 
 #include <algorithm>
@@ -67,6 +68,7 @@ PairSearch::PairSearch(const Simplices& reference, const Simplices& result,
   : Reference(reference)
   , Limit(limit)
   , Listener(std::move(listener))
+  , NumberOfThreads(task.Options.NumberOfThreads)
 {
   const std::function<void()> tell =
     this->Listener ? std::function<void()>([this] { this->Tell(); }) : nullptr;
@@ -124,12 +126,44 @@ void PairSearch::FindBounds(Stages& progress, double weight)
     }
   };
   progress.Next(0.0)(0.0);
-  forEach([&](DirectedSearch& search) { search.BuildTarget(progress); });
-  forEach([&](DirectedSearch& search) { search.FindValues(progress, 0.5 * part); });
+  this->FindValues(progress, 0.5 * part);
   forEach([&](DirectedSearch& search) { search.FindDistance(progress, 0.5 * part); });
   if (!this->Limit.empty())
   {
     this->FindExcess(progress, part);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Trees and values of corners. One thread builds the upper levels of a tree, so the second tree is
+/// built beside the values to the first.
+void PairSearch::FindValues(Stages& progress, double weight)
+{
+  if (!progress.ShouldContinue())
+  {
+    return;
+  }
+  const Monitor afterStep = progress.Next(0.0);
+  this->Forward->BuildTarget([&] { afterStep(1.0); });
+  this->Forward->TakeParts();
+  const auto findForward = [&]
+  {
+    if (progress.ShouldContinue())
+    {
+      this->Forward->FindValues(progress, weight);
+    }
+  };
+  if (!this->Backward)
+  {
+    findForward();
+    return;
+  }
+  RunBoth(
+    this->NumberOfThreads, [&] { this->Backward->BuildTarget({}); }, findForward);
+  this->Backward->TakeParts();
+  if (progress.ShouldContinue())
+  {
+    this->Backward->FindValues(progress, weight);
   }
 }
 

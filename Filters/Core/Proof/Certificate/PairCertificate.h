@@ -54,11 +54,13 @@ public:
 
 private:
   void Tell();
+  void FindValues(Stages& progress, double weight);
   void FindExcess(Stages& progress, double weight);
 
   const Simplices& Reference;
   const std::vector<double>& Limit;
   BoundsListener Listener;
+  int NumberOfThreads;
   double ToldLower = -1.0;                                    // mm
   double ToldUpper = std::numeric_limits<double>::infinity(); // mm
   std::unique_ptr<DirectedSearch> Forward;

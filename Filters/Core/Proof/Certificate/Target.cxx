@@ -95,7 +95,7 @@ Target::Candidate Target::FindLeast(const Vector3& p, Index hint) const
 }
 
 //------------------------------------------------------------------------------
-/// Walks from the hint to neighbors that are nearer.
+/// Walks from the hint to neighbors that are nearer, until one is near enough.
 Target::Candidate Target::FindNear(const Vector3& p, Index hint, double sufficient) const
 {
   const auto squaredTo = [&](Index simplex)
@@ -104,7 +104,7 @@ Target::Candidate Target::FindNear(const Vector3& p, Index hint, double sufficie
     return NearestOnTriangle(p, corners[0], corners[1], corners[2]).SquaredDistance;
   };
   double least = hint != None && sufficient >= 0.0 ? squaredTo(hint) : -1.0;
-  for (Index from = None; least >= 0.0 && from != hint;)
+  for (Index from = None; least > sufficient * sufficient && from != hint;)
   {
     from = hint;
     for (const Index neighbor : this->Neighbors(from))
