@@ -46,7 +46,7 @@ export async function prove(signal) {
   const limit = tolerance();
   const onProgress = listen('Proving the distance of both surfaces');
   const surfaces = state.pair.map(({ surface }) => surface);
-  const options = { tolerance: limit, pointDistances: true, means: true };
+  const options = { tolerance: limit, pointDistances: true, means: true, surfaces: true };
   const found = await core.certify(...surfaces, options, { onProgress, signal });
   const [reference, result] = state.pair.map(({ name }) => name);
   state.certificate = { ...found.report, tolerance: limit, files: { reference, result, unit: 'mm' } };
@@ -94,6 +94,11 @@ function directionText(direction) {
   return intervalText(direction) + means;
 }
 
+/** None of a surface whose triangles cannot be used. */
+function componentRows({ reference, result }) {
+  return reference && result ? [['Components', `${reference.components} of the reference, ${result.components} of the result`]] : [];
+}
+
 function tell(report, found) {
   find('results').hidden = false;
   const [reference, result] = state.pair;
@@ -111,7 +116,8 @@ function tell(report, found) {
       directionText(report[key]),
     ]),
     ...(oneSided ? [['Open boundaries', oneSided]] : []),
-    ['Components', `${found.referenceComponents} of the reference, ${found.resultComponents} of the result`],
+    ...componentRows(report),
+    ...found.warnings.map((sentence) => ['Warning', sentence]),
     ['Seconds', report.seconds.toFixed(2)],
   ]);
   document.documentElement.dataset.seconds = report.seconds.toFixed(3);

@@ -155,7 +155,9 @@ std::string ExceptionsText(const ReportFields& report)
   const std::string boundaries = report.Text("boundaries");
   const bool areOfOne = ViolatingBoundary(report).empty() &&
     (boundaries == "reference_only" || boundaries == "result_only");
-  std::string text = areOfOne ? "open boundaries, which only one surface has" : "";
+  std::string text = areOfOne      ? "open boundaries, which only one surface has"
+    : boundaries == "not_compared" ? "open boundaries, which were not compared"
+                                   : "";
   for (int i = 0; report.Number("left_out." + std::to_string(i) + ".count"); ++i)
   {
     text += (text.empty() ? "" : "; ") +

@@ -104,7 +104,7 @@ void UpdateSentences(Json& report)
   {
     Json& proof = report["proof"];
     proof["sentence"] = ProofSentence({ NumberOr(proof, "upper", Infinity),
-      report.contains("reference"), proof.value("boundaries", ""), std::move(leftOut) });
+      report.contains("reference"), proof.value("boundaries", ""), std::move(leftOut), 0.0 });
   }
 }
 

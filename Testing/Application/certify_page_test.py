@@ -15,18 +15,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 from application import ApplicationTest, main, sphere, together, torus, write
-from certify_test import square
+from certify_test import square, without_a_triangle
 from combinations_inputs import scaled
 
 VIOLET = (79, 18, 123)  # the last color of distances
 BLUE = (18, 87, 176)  # of the ring
-
-
-def without_a_triangle(surface):
-    surface.BuildCells()
-    surface.DeleteCell(0)
-    surface.RemoveDeletedCells()
-    return surface
 
 
 def are_like(pixels, color):

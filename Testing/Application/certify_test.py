@@ -25,6 +25,13 @@ def square(height):
     return surface
 
 
+def without_a_triangle(surface, triangle=0):
+    surface.BuildCells()
+    surface.DeleteCell(triangle)
+    surface.RemoveDeletedCells()
+    return surface
+
+
 def with_tolerance(surface, tolerance):
     array = vtk.vtkDoubleArray()
     array.SetName("allowed")
@@ -74,6 +81,23 @@ class Certify(ApplicationTest):
         self.assertAlmostEqual(found["reference_to_result"]["mean"], 0.25, 6)
         self.assertEqual(found["units"]["upper"], "mm")
         self.assertEqual(found["files"], {"reference": "a.ply", "result": "b.ply", "unit": "mm"})
+
+    def test_the_sentence_has_the_bound_of_open_boundaries_or_says_what_is_not_known(self):
+        def sentence(reference, result, *words):
+            self.run_program("certify", reference, result, "--json", "c.json", "--quiet", *words)
+            return self.report("c.json")["sentence"]
+        bound = r"^at most 0\.\d{6} mm in both directions"
+        self.assertRegex(sentence("a.ply", "b.ply"), bound + ", open boundaries too$")
+        self.assertRegex(sentence("a.ply", "b.ply", "--no-boundaries"), bound + ", but for open boundaries$")
+        self.assertEqual(self.report("c.json")["boundaries"], "not_compared")
+        write(torus(), self.path("whole.ply"))
+        write(without_a_triangle(torus()), self.path("torn.ply"))
+        self.assertRegex(sentence("whole.ply", "whole.ply"), bound + "$")
+        self.assertRegex(sentence("whole.ply", "torn.ply", "--tolerance", 5), bound + ", but only the result has open boundaries$")
+        write(without_a_triangle(torus(), 40), self.path("other.ply"))
+        self.assertRegex(sentence("torn.ply", "other.ply"), bound + r", open boundaries at most [1-9]\d*\.\d{6} mm$")
+        said = self.certify("--tolerance", 0.3, "--no-boundaries").stdout
+        self.assertIn("proved <= 0.300000 mm, but for open boundaries\n", said)
 
     def test_describes_both_surfaces_in_json_and_page(self):
         crossed = vtk.vtkAppendPolyData()

@@ -93,18 +93,23 @@ function squaresAt(height) {
   return { points: new Float32Array(points), triangles: Uint32Array.from(points.slice(0, points.length / 3), (_, i) => i) };
 }
 
-test('certifies with means, distances of points and components', async () => {
+test('certifies with means, distances of points, and figures of both surfaces', async () => {
   const [reference, result] = [squaresAt(0), squaresAt(0.75)];
-  const found = await certify(reference, result, { tolerance: 0.7, means: true, pointDistances: true });
+  const found = await certify(reference, result, { tolerance: 0.7, means: true, pointDistances: true, surfaces: true });
   assert.ok(found.lower <= 0.75 && 0.75 <= found.upper && found.upper < 0.751);
   assert.equal(found.report.status, 'violated');
   for (const direction of ['reference_to_result', 'result_to_reference']) {
     assert.ok(Math.abs(found.report[direction].mean - 0.75) < 0.01 && Math.abs(found.report[direction].rms - 0.75) < 0.01);
   }
-  assert.deepEqual([found.referenceComponents, found.resultComponents], [2, 2]);
+  assert.deepEqual([found.report.reference.components, found.report.result.components, found.report.missing], [2, 2, undefined]);
+  assert.deepEqual(found.warnings, []);
   assert.ok(found.referenceDistance.length === 12 && found.referenceDistance.every((distance) => Math.abs(distance - 0.75) < 1e-6));
   const without = await certify(reference, reference);
-  assert.deepEqual([without.upper < 1e-6, without.report.reference_to_result.mean], [true, undefined]);
+  assert.deepEqual([without.upper < 1e-6, without.report.reference_to_result.mean, without.report.reference], [true, undefined, undefined]);
+  const one = { points: result.points, triangles: result.triangles.slice(0, 6) };
+  const lost = await certify(reference, one, { surfaces: true });
+  assert.ok(lost.warnings.some((warning) => warning.startsWith('1 of 2 components of the reference is missing in the result')));
+  assert.equal(lost.report.missing.length, 1);
 });
 
 test('gives the bytes of the program', { skip: !process.env.NATIVE }, async () => {

@@ -345,6 +345,13 @@ class BrowserPage(unittest.TestCase):
         self.choose(self.folder / "low.stl", self.folder / "high.stl")
         self.wait("done")
         self.assertEqual(self.rows()["Components"], "1 of the reference, 2 of the result")
+        self.assertNotIn("Warning", self.rows())
+        self.choose(self.folder / "high.stl", self.folder / "flat.stl")
+        self.wait("done")
+        self.assertIn("1 of 2 components of the reference is missing in the result", self.rows()["Warning"])
+        missing = json.loads(self.saved("#save-json", "flat-certificate.json").read_text(encoding="utf-8"))["missing"]
+        self.assertEqual(len(missing), 1)
+        self.assertGreater(missing[0]["x"], 20.0)
         write_stl(self.folder / "whole.stl", bumpy_ball(12))
         write_stl(self.folder / "open.stl", bumpy_ball(12)[1:])
         self.choose(self.folder / "whole.stl", self.folder / "open.stl")

@@ -4,13 +4,14 @@
 // arrays. Problems are the text `problem` of what is returned; nothing is thrown.
 #include "BindOptions.h"
 #include "Labels/LabelMap/LabelSurfaces.h"
-#include "Mesh/PointMerging.h"
-#include "Mesh/Statistics.h"
 #include "Proof/Certificate/Certificate.h"
 #include "Run/Decimate.h"
+#include "Run/Output/ComparedSurface.h"
 #include "Run/Report/CertificateTable.h"
+#include "Run/Report/PairWarnings.h"
 #include "Run/Report/ReportJson.h"
 #include "Run/Report/ReportTable.h"
+#include "Run/Report/SizeText.h"
 #include "Run/RunWarnings.h"
 #include "Values.h"
 
@@ -195,25 +196,6 @@ val RunExtract(const val& map, const val& given, const val& progress)
   return to;
 }
 
-/// Connected by corners of equal coordinates: STL files have each point several times.
-Index CountComponents(Surface surface)
-{
-  LargeArray<Index> first(surface.Points.size(), None); // of corners alone
-  for (const Triangle& triangle : surface.Triangles)
-  {
-    for (const Index corner : triangle)
-    {
-      first[corner] = corner;
-    }
-  }
-  MergeEqualPoints(surface.Points, first);
-  for (Triangle& triangle : surface.Triangles)
-  {
-    triangle = { first[triangle[0]], first[triangle[1]], first[triangle[2]] };
-  }
-  return FindComponents(surface).Count;
-}
-
 val RunCertify(const val& reference, const val& result, const val& given, const val& progress)
 {
   CertificateOptions options;
@@ -226,18 +208,29 @@ val RunCertify(const val& reference, const val& result, const val& given, const 
   {
     options.Tolerance = given["tolerance"].as<double>();
   }
-  const std::array<Surface, 2> surfaces = { ToSurface(reference), ToSurface(result) };
-  const Certificate found = Certify(surfaces[0], surfaces[1], options, MonitorOf(progress));
+  const Surface one = ToSurface(reference);
+  const Surface two = ToSurface(result);
+  const bool describes = given["surfaces"].as<bool>();
+  const Monitor monitor = MonitorOf(progress);
+  const double certified = describes ? 0.8 : 1.0;
+  Certificate found = Certify(one, two, options, PartOf(monitor, 0.0, certified));
   if (found.Status != CertificateStatus::Good)
   {
     return Failed(StatusSentence(found.Status));
   }
+  PairFigures figures;
+  if (describes)
+  {
+    DescribePair(one, two, 1, PartOf(monitor, certified, 1.0), found, figures);
+  }
+  std::vector<std::string> warnings = PairSizeWarnings(one, two, options.Tolerance.value_or(0.0));
+  const std::vector<std::string> more = PairWarnings(figures);
+  warnings.insert(warnings.end(), more.begin(), more.end());
   val to = val::object();
   to.set("lower", found.Lower());
   to.set("upper", found.Upper());
-  to.set("report", ReportJson(CertificateEntries(found)));
-  to.set("referenceComponents", CountComponents(surfaces[0]));
-  to.set("resultComponents", CountComponents(surfaces[1]));
+  to.set("report", ReportJson(CertificateEntries(found, figures)));
+  to.set("warnings", ToTexts(warnings));
   to.set("referenceDistance", ToArray<double>(found.ReferenceToResult.Points.Distance));
   to.set("resultDistance", ToArray<double>(found.ResultToReference.Points.Distance));
   return to;

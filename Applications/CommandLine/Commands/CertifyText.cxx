@@ -155,7 +155,12 @@ void CertifyRun::TellStatus() const
   {
     std::cout << "tolerance            " << this->StatusText() << map
               << (map.empty() || number.empty() ? "" : " and ") << number
-              << (this->CoversWhatWasLeftOut() ? "" : ", but for what was left out") << "\n";
+              << (this->CoversWhatWasLeftOut() ? "" : ", but for what was left out")
+              << (this->Requested.WithoutBoundaries &&
+                       this->Filter->GetStatus() == vtkBoneSurfaceDistance::PROVED
+                     ? ", but for open boundaries"
+                     : "")
+              << "\n";
   }
 }
 }

@@ -101,6 +101,11 @@ export interface CertifyOptions {
   pointDistances?: boolean;
   /** Also estimates average and root mean square in both directions, to half a percent; default false. */
   means?: boolean;
+  /**
+   * The report also has triangles, components, boundary edges, area, volume and intersecting pairs of both surfaces (`reference`, `result`),
+   * and the components of the reference that the result lacks (`missing`). Warnings name these, too. Default false.
+   */
+  surfaces?: boolean;
 }
 
 export interface Certificate {
@@ -109,9 +114,8 @@ export interface Certificate {
   upper: number;
   /** As Documentation/certificate.schema.json describes it. */
   report: Report;
-  /** Connected by points of equal coordinates. */
-  referenceComponents: number;
-  resultComponents: number;
+  /** What bounds do not tell, a sentence each: sizes that suggest another unit; with `surfaces` lost components and new defects. */
+  warnings: string[];
   /** mm, of each point of the reference; empty without `pointDistances`. */
   referenceDistance: Float64Array;
   resultDistance: Float64Array;

@@ -115,13 +115,13 @@ export function makeFunctions(createWorker, compile) {
       return call('extract', [mapFrom(map), { labels, background, closed }], run);
     },
     async certify(reference, result, options = {}, run = {}) {
-      const { tolerance, relativeGap = 1e-3, pointDistances = false, means = false, ...others } = options;
+      const { tolerance, relativeGap = 1e-3, pointDistances = false, means = false, surfaces = false, ...others } = options;
       const [unknown] = Object.keys(others);
       check(!unknown, `there is no option ${unknown}`);
       check(tolerance === undefined || tolerance >= 0, 'tolerance is not negative, in mm');
       check(relativeGap >= 0 && relativeGap <= 1, 'relativeGap is from 0 to 1');
-      const surfaces = [surfaceFrom(reference, 'reference'), surfaceFrom(result, 'result')];
-      const found = await call('certify', [...surfaces, { tolerance, relativeGap, pointDistances, means }], run);
+      const pair = [surfaceFrom(reference, 'reference'), surfaceFrom(result, 'result')];
+      const found = await call('certify', [...pair, { tolerance, relativeGap, pointDistances, means, surfaces }], run);
       return { ...found, report: JSON.parse(found.report) };
     },
     optionTable: () => call('options', []),

@@ -147,6 +147,7 @@ private:
     this->ReferenceBoundary =
       FindBoundarySet(this->Reference, this->ReferenceSides, frame, this->Limits);
     this->ResultBoundary = FindBoundarySet(this->Result, this->ResultSides, frame, {});
+    this->Output.BoundariesCompared = true;
     const bool ofReference = this->ReferenceBoundary.Segments.Size() > 0;
     const bool ofResult = this->ResultBoundary.Segments.Size() > 0;
     this->Output.Boundaries = ofReference

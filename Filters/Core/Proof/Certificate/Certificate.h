@@ -153,6 +153,7 @@ struct Certificate
   ProofStatus Proof = ProofStatus::NotRequested; ///< of all directions together
   DirectedCertificate ReferenceToResult;
   DirectedCertificate ResultToReference;
+  bool BoundariesCompared = false; ///< with WithBoundaries
   BoundaryPresence Boundaries = BoundaryPresence::Neither;
   /// Curve to curve. All bounds are 0 if neither surface has boundaries, and infinite if only one
   /// has.

@@ -7,6 +7,7 @@
 #include "ReportEntries.h"
 #include "Words.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bonedecimate
@@ -101,13 +102,16 @@ std::vector<ReportEntry> CertificateEntries(const Certificate& certificate, cons
   {
     entries.push_back({ "stopped", "", std::string(StoppedSentence) });
   }
+  const std::string boundaries =
+    certificate.BoundariesCompared ? BoundaryPresenceWord(certificate.Boundaries) : "not_compared";
+  const double boundaryUpper = std::max(certificate.BoundaryOfReferenceToResult.Distance.Upper,
+    certificate.BoundaryOfResultToReference.Distance.Upper);
   entries.push_back({ "lower", "mm", certificate.Lower() });
   entries.push_back({ "upper", "mm", certificate.Upper() });
-  entries.push_back(
-    { "sentence", "", ProofSentence({ certificate.Upper(), false, {}, pair.LeftOut }) });
+  entries.push_back({ "sentence", "",
+    ProofSentence({ certificate.Upper(), false, boundaries, pair.LeftOut, boundaryUpper }) });
   entries.push_back({ "slack", "mm", certificate.Slack });
-  entries.push_back(
-    { "boundaries", "", std::string(BoundaryPresenceWord(certificate.Boundaries)) });
+  entries.push_back({ "boundaries", "", boundaries });
   entries.push_back({ "seconds", "s", certificate.Seconds });
   AddCompared(entries, "reference", pair.Reference);
   AddCompared(entries, "result", pair.Result);

@@ -28,15 +28,16 @@ struct PairFigures
 
 /**
  * All entries, always in the same order: version, problem, status, stopped (only after an abort),
- * lower, upper, sentence, slack, boundaries, seconds; reference and result, if they were measured:
- * .triangles, .points, .components, .boundary_edges, .non_manifold_edges, .euler_number, .area,
- * .volume, .intersecting_pairs, .diagonal, .checksum; for each component of the reference that has
- * no counterpart in the result missing.0.triangles, .diagonal, .x, .y, .z; left_out, as in a
- * report, of both surfaces; then for each of reference_to_result, result_to_reference and, if a
- * surface has boundaries, boundary_reference_to_result and boundary_result_to_reference: .status,
- * .lower, .upper, .x, .y, .z, .triangle, .nearest_triangle, .cuts; with a map .excess.{lower,
- * upper, x, y, z, triangle, nearest_triangle, cuts}; with means .mean, .mean_error, .rms,
- * .rms_error, .area, .samples. A certificate with a problem has only the first three.
+ * lower, upper, sentence, slack, boundaries (or "not_compared"), seconds; reference and result, if
+ * they were measured: .triangles, .points, .components, .boundary_edges, .non_manifold_edges,
+ * .euler_number, .area, .volume, .intersecting_pairs, .diagonal, .checksum; for each component of
+ * the reference that has no counterpart in the result missing.0.triangles, .diagonal, .x, .y, .z;
+ * left_out, as in a report, of both surfaces; then for each of reference_to_result,
+ * result_to_reference and, if a surface has boundaries, boundary_reference_to_result and
+ * boundary_result_to_reference: .status, .lower, .upper, .x, .y, .z, .triangle, .nearest_triangle,
+ * .cuts; with a map .excess.{lower, upper, x, y, z, triangle, nearest_triangle, cuts}; with means
+ * .mean, .mean_error, .rms, .rms_error, .area, .samples. A certificate with a problem has only the
+ * first three.
  */
 std::vector<ReportEntry> CertificateEntries(
   const Certificate& certificate, const PairFigures& pair = {});

@@ -5,6 +5,8 @@
 #include "CertificateTable.h"
 #include "Figures/BoundText.h"
 
+#include <cmath>
+
 namespace bonedecimate
 {
 namespace
@@ -12,23 +14,38 @@ namespace
 constexpr int DecimalsOfBound = 6;
 const std::string Proof = "proof.";
 const std::string Sentence = "proof.sentence";
+
+std::string BoundariesClause(const ProofFacts& facts)
+{
+  if (facts.Boundaries == "both" && facts.BoundaryUpper <= facts.Upper)
+  {
+    return ", open boundaries too";
+  }
+  if (facts.Boundaries == "both" && std::isfinite(facts.BoundaryUpper))
+  {
+    return ", open boundaries at most " + UpperBoundText(facts.BoundaryUpper, DecimalsOfBound) +
+      " mm";
+  }
+  return facts.Boundaries == "both" || facts.Boundaries == "not_compared"
+    ? ", but for open boundaries"
+    : facts.Boundaries == "reference_only" ? ", but only the reference has open boundaries"
+    : facts.Boundaries == "result_only"    ? ", but only the result has open boundaries"
+                                           : "";
+}
 }
 
 std::string ProofSentence(const ProofFacts& facts)
 {
   const std::string clause = LeftOutClause(facts.LeftOut, facts.Upper);
   return "at most " + UpperBoundText(facts.Upper, DecimalsOfBound) + " mm in both directions" +
-    (facts.IsToReference ? " to the reference" : "") +
-    (facts.Boundaries == "both"              ? ", open boundaries too"
-        : facts.Boundaries == "not_compared" ? ", but for open boundaries"
-                                             : "") +
+    (facts.IsToReference ? " to the reference" : "") + BoundariesClause(facts) +
     (clause.empty() ? "" : ", " + clause);
 }
 
 std::string ProofSentence(const Report& report)
 {
   return ProofSentence({ report.Proof.Upper(), report.Reference.IsPresent,
-    BoundariesWord(report.Proof), report.LeftOut });
+    BoundariesWord(report.Proof), report.LeftOut, 0.0 });
 }
 
 std::string BoundariesWord(const ErrorProof& proof)

@@ -21,8 +21,9 @@ struct ProofFacts
 {
   double Upper = 0.0; ///< mm
   bool IsToReference = false;
-  std::string Boundaries; ///< proof.boundaries of the report
+  std::string Boundaries; ///< a word of the report: "both", "reference_only", "not_compared"
   std::vector<bonedecimate::LeftOut> LeftOut;
+  double BoundaryUpper = 0.0; ///< mm, of open boundaries; said if it is larger
 };
 
 /// "at most 0.499900 mm in both directions, open boundaries too, but for 2 lines ...": the bound is
