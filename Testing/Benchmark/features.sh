@@ -15,7 +15,8 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 prepare "$@"
 [ "$python" = python3 ] || install_peers "$here/requirements-meshers.txt"
+npm install --silent --prefix "$build/benchmark/node" gltfpack@1.3.0 || echo "gltfpack of npm could not be installed"
 cmake --build "$build" >> "$build/benchmark-build.log" 2>&1
 own=$(sed -n 's/^_Python3_EXECUTABLE:INTERNAL=//p' "$build/CMakeCache.txt") # that the filters are built for
-export PYTHONPATH=$here PYTHONDONTWRITEBYTECODE=1
+export NODE_PACKAGES=$build/benchmark/node PYTHONPATH=$here PYTHONDONTWRITEBYTECODE=1
 exec "$python" -m bonebench.features --programs "$build/bin" --python "$own" --work "$build/benchmark" ${arguments[@]+"${arguments[@]}"}

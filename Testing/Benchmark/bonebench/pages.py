@@ -16,7 +16,7 @@ from .document import DATA, IMAGES, RESULTS, ROOT
 from .records import Records, read_file
 
 README, EVIDENCE = ROOT / "README.md", ROOT / "Documentation" / "paper" / "evidence.md"
-FEATURES = tuple(RESULTS / f"{name}.md" for name in ("measurements", "thesis-tolerance", "tolerances-and-counts", "triangle-shapes"))
+FEATURES = tuple(RESULTS / f"{name}.md" for name in ("formats", "measurements", "thesis-tolerance", "tolerances-and-counts", "triangle-shapes"))
 
 
 def with_parts(page: Path, parts: dict[str, str]) -> str:
