@@ -71,7 +71,8 @@ export class View {
   /** Calls onResize after the canvas has the new size of the stage. */
   watchSize(onResize) {
     this.observer = new ResizeObserver(() => {
-      if (this.fitCanvas()) {
+      const isHidden = this.stage.clientWidth === 0;
+      if (!isHidden && this.fitCanvas()) {
         this.keepZoom(this.fitted);
         onResize();
       }
