@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, Iterator, Sequence
 
-from . import certify_times, file_sizes, machine, normal_tolerances, pages, peer_features, processes
+from . import browser_times, certify_times, file_sizes, machine, normal_tolerances, pages, peer_features, processes
 from .bones import CROPS, HU, Bone, Workshop, count_triangles
 from .contest import Verifier
 from .document import DATA, RESULTS
@@ -222,7 +222,7 @@ TABLES: dict[str, Callable[[Lab], Iterator[Row]]] = {
     "non-manifold": non_manifold, "tolerance": tolerance, "remeshers": peer_features.remeshers, "meshers": peer_features.meshers, "label-maps": peer_features.label_maps,
     "sharp-edges": peer_features.sharp_edges, "strokes": peer_features.strokes, "processes": processes.processes,
     "certify": certify_times.certify, "normal-tolerance": normal_tolerances.normal_tolerance,
-    "file-sizes": file_sizes.file_sizes}
+    "file-sizes": file_sizes.file_sizes, "browser": browser_times.browser}
 
 
 def file_of(table: str) -> str:
