@@ -163,7 +163,7 @@ TEST(Certificate, SwapsItsDirectionsWithTheSurfaces)
 
 TEST(Certificate, IsTheSameForAnyNumberOfThreads)
 {
-  const Surface reference = BumpySphere(4, 10.0, 0.05, 3);
+  const Surface reference = BumpySphere(5, 10.0, 0.05, 3);
   const Surface result = Together(Icosphere(3, 10.0), HoledPlate(6));
   const Certificate one = Compare(Together(reference, Grid(6)), result, 1);
   for (const int threads : { 2, 4, 8 })

@@ -34,7 +34,7 @@ public:
   DirectedSearch(const Simplices& source, const Simplices& target, const PairTask& task,
     double triangleGap, std::function<void()> tell);
 
-  /// Builds the tree, then may be called on another thread.
+  /// Builds the tree. May run on another thread than all else, which needs the tree.
   void BuildTarget(const std::function<void()>& afterStep);
   /// Narrows the bounds by what the tree tells.
   void TakeParts();

@@ -143,7 +143,8 @@ EdgeSides MatchEdges(
   const std::vector<Triangle>& triangles, const std::vector<Index>& ids, int threads)
 {
   EdgeSides sides(triangles.size(), { NotRegular, NotRegular, NotRegular });
-  const std::size_t parts = ThreadsToUse(threads);
+  const std::size_t parts = std::min<std::size_t>(
+    ThreadsToUse(threads), std::max<std::size_t>(1, NumberOfBlocks(ids.size())));
   const auto begin = [&](std::size_t part)
   { return static_cast<Index>(ids.size() * part / parts); };
   ForEachPart(parts, threads, Monitor(),

@@ -158,8 +158,9 @@ void PairSearch::FindValues(Stages& progress, double weight)
     findForward();
     return;
   }
+  const bool isLarge = this->Reference.Size() > BlockSize;
   RunBoth(
-    this->NumberOfThreads, [&] { this->Backward->BuildTarget({}); }, findForward);
+    isLarge ? this->NumberOfThreads : 1, [&] { this->Backward->BuildTarget({}); }, findForward);
   this->Backward->TakeParts();
   if (progress.ShouldContinue())
   {
