@@ -132,7 +132,7 @@ class WheelEngine:
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always")
                 found = bonedecimate.extract_surfaces(
-                    label_map.voxels, spacing=label_map.spacing, origin=label_map.origin, direction=label_map.direction,
+                    label_map.voxels, axes="zyx", spacing=label_map.spacing, origin=label_map.origin, direction=label_map.direction,
                     model_grid=model_grid, progress=goes_on)
                 limits = None if tolerances is None else tolerances(found.points)
                 small = bonedecimate.decimate(found, tolerances=limits, progress=goes_on, **keywords)
