@@ -349,7 +349,8 @@ class Previews(unittest.TestCase):
                         Request(tolerance=0.3, mode="Fast", keep_voxels="Off")):
             for engine, source in ((WheelEngine(), node), (WheelEngine(), model), (ProgramEngine(PROGRAM), model)):
                 with self.subTest(request=request, engine=type(engine).__name__):
-                    lines = BoneDecimatorLogic(scene, engine).preview(source, request)
+                    said = BoneDecimatorLogic(scene, engine).preview(source, request)
+                    lines = [line for line in said if not line.startswith("nothing is proved in Thesis mode")]
                     self.assertIn("triangles", lines[1])
                     if request.tolerance:
                         self.assertNotIn("proved", "".join(lines))
