@@ -44,7 +44,7 @@ class Request:
         Raises DecimationError with a sentence about the first value that is wrong.
         @param table OptionTable of the engine.
         """
-        is_automatic = self.smoothing == AUTOMATIC
+        is_automatic = bool(self.smoothing == AUTOMATIC)  # not numpy's, for a distance of numpy
         may_be_default = {"mode": self.mode, "keep-voxels": self.keep_voxels, "feature-angle": self.feature_angle}
         options = {"max-error": self.tolerance, "target-triangles": self.triangles, "auto-smooth": is_automatic,
                    "smooth": 0.0 if is_automatic else self.smoothing,
