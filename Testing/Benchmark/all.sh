@@ -28,5 +28,5 @@ ct=(--bone maxilla --bone frontal)
 "$here/run.sh" --thesis --output "$results/thesis"
 "$here/run.sh" --from "$results/rows/benchmark.json" "$results/thesis/benchmark.json" --write-docs
 "$here/audit.sh" --with-meshlib --certificates --write-docs "${ct[@]}" --bone cranium ${bones[@]+"${bones[@]}"}
-"$here/features.sh" --with-meshlib --write-docs "${ct[@]}" ${bones[@]+"${bones[@]}"} ${skull[@]+"${skull[@]}"}
+"$here/features.sh" --large --with-meshlib --write-docs "${ct[@]}" ${bones[@]+"${bones[@]}"} ${skull[@]+"${skull[@]}"}
 "$here/smoothing.sh" --with-meshlib --write-docs

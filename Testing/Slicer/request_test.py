@@ -100,6 +100,7 @@ class Requests(unittest.TestCase):
     def test_smoothing_and_voxels_become_flags(self):
         fast = {"mode": "Fast"}
         for request, wanted in (({"smoothing": 0.2}, {"smooth": 0.2, "target-reduction": 0.0}),
+                                ({"smoothing": np.float64(0.2)}, {"smooth": 0.2, "target-reduction": 0.0}),
                                 ({"smoothing": "automatic"}, {"auto-smooth": True, "target-reduction": 0.0}),
                                 ({"smoothing": 0.2, "feature_angle": 45.0},
                                  {"smooth": 0.2, "feature-angle": 45.0, "target-reduction": 0.0}),
