@@ -19,7 +19,7 @@ CERTIFICATES = """Bounds in mm of the two-sided distance of pairs of surfaces fr
 1e-4 mm in each direction, and CGAL's `bounded_error_Hausdorff_distance` with an error of 1e-4 mm, which is shown as an interval. Each program has 120 s.
 """
 NEAREST = """Of the other programs whose results were measured, the one that needs the fewest triangles at equal true distances: its result, and `Fast` with that distance as its
-largest error. "Of" is how many were measured: without those that failed, were not run, or lost so much that their distance is no largest error for `Fast`.
+largest error. "Of" is how many were measured: without those that failed, were not run, or lost so much that their distance, more than 10 mm, is no largest error for `Fast`.
 """
 PRINTED = 1.01e-7  # mm, two roundings to seven decimals
 DETAILED = "0.5"  # mm, the tolerance whose results are listed in full
