@@ -13,6 +13,7 @@ results=$here/../../build/release/benchmark
 
 "$here/../../Utilities/install_packages.sh" test benchmark
 "$here/../../Utilities/install_paraview.sh" # for several processes
+"$here/../../Utilities/check_wasm.sh" --build # for the browser
 
 skull=() bones=()
 while [ $# -gt 0 ]; do

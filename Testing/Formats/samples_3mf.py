@@ -69,6 +69,8 @@ def difference(ours, theirs):
     """Why two readings differ; empty if they do not."""
     if len(ours) != len(theirs):
         return f"{len(ours) // 3} triangles instead of {len(theirs) // 3}"
+    if not len(ours):
+        return ""
     apart = max(numpy.abs(bound(ours, axis=0) - bound(theirs, axis=0)).max() for bound in (numpy.min, numpy.max))
     return "" if apart <= NEAR else f"bounds differ by {apart:.3g} mm"
 
@@ -81,7 +83,7 @@ def main(reader, folder):
         texts = [value if isinstance(value, str) else f"{len(value) // 3} triangles" for value in (one, other)]
         if not isinstance(one, str) and not isinstance(other, str):
             both += 1
-            reason = difference(one, other) if len(one) and len(other) else ""
+            reason = difference(one, other)
             same += not reason
             texts.append(reason)
         if isinstance(one, str) or isinstance(other, str) or texts[2]:

@@ -184,9 +184,12 @@ def levels(lab: Lab) -> Iterator[Row]:
 def slabs(lab: Lab) -> Iterator[Row]:
     """Volumes that are read in parts: their side in voxels, and the memory."""
     volume = lab.folder / "trabeculae.mha"
-    runs = [(320, None), (320, "512M"), (320, "256M"), *([(860, "2G"), (1500, "4G")] if lab.is_large else [])]
-    for side, memory in runs:
-        subprocess.run([lab.programs.path("phantom"), volume, "--trabeculae", str(side)], check=True, stdout=subprocess.DEVNULL)
+    large = [(860, "2G"), (1500, "4G")] if lab.is_large else []
+    made = None
+    for side, memory in [(320, None), (320, "512M"), (320, "256M"), *large]:
+        if side != made:
+            subprocess.run([lab.programs.path("phantom"), volume, "--trabeculae", str(side)], check=True, stdout=subprocess.DEVNULL)
+            made = side
         options = ("--memory", memory) if memory else ()
         done = lab.run(volume, "--iso", 127.5, "--mode", "Fast", "--max-error", "halfvoxel", "--measure", "off", *options)
         yield {"--trabeculae": side, "triangles of the volume": done.report["input"]["triangles"], "--memory": memory, "slabs": done.report.get("slabs", {}).get("count"),
