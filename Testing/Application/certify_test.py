@@ -250,6 +250,9 @@ class CertifySeveral(ApplicationTest):
         self.assertRegex(completed.stdout, r"(?m)^near\.ply: 0\.249999 to 0\.25000\d mm, proved$")
         self.assertRegex(completed.stdout, r"(?m)^far\.ply: .* violated\n  warning: the diagonal of the reference's bounding box is 1\.41421 mm, which is not")
         self.assertIn("3 pairs: 1 proved, 1 violated, 1 not compared\n", completed.stdout)
+        lines = self.run_program("certify", "flat.ply", "near.ply", "far.ply", "--tolerance", 0.3, "--no-boundaries").stdout
+        self.assertRegex(lines, r"(?m)^near\.ply: .* mm, proved, but for open boundaries$")
+        self.assertRegex(lines, r"(?m)^far\.ply: .* mm, violated$")
         self.assertEqual([row["name"] for row in self.report("c.json")], ["near.ply", "far.ply", "missing.ply"])
         self.fail_with(USAGE, "certify", "flat.ply", "near.ply", "far.ply", "--page", "p.html", says="--page is for one result; several take --json")
 

@@ -87,6 +87,8 @@ class Polygons(ApplicationTest):
         certified = self.succeed("certify", "in.vtk", "out.vtp", "--tolerance", 0.1).stdout
         self.assertRegex(certified, r"left out +2 polygons of fewer than three different corners of the reference \(.*\), up to")
         self.assertRegex(certified, "proved <= 0.100000 mm, but for what was left out\n")
+        several = self.succeed("certify", "in.vtk", "out.vtp", "out.vtp", "--tolerance", 0.1).stdout
+        self.assertRegex(several, r"(?m)^out\.vtp: .* mm, proved, but for what was left out$")
 
 
 if __name__ == "__main__":

@@ -223,14 +223,11 @@ val RunCertify(const val& reference, const val& result, const val& given, const 
   {
     DescribePair(one, two, 1, PartOf(monitor, certified, 1.0), found, figures);
   }
-  std::vector<std::string> warnings = PairSizeWarnings(one, two, options.Tolerance.value_or(0.0));
-  const std::vector<std::string> more = PairWarnings(figures);
-  warnings.insert(warnings.end(), more.begin(), more.end());
   val to = val::object();
   to.set("lower", found.Lower());
   to.set("upper", found.Upper());
   to.set("report", ReportJson(CertificateEntries(found, figures)));
-  to.set("warnings", ToTexts(warnings));
+  to.set("warnings", ToTexts(PairWarnings(one, two, options.Tolerance.value_or(0.0), figures)));
   to.set("referenceDistance", ToArray<double>(found.ReferenceToResult.Points.Distance));
   to.set("resultDistance", ToArray<double>(found.ResultToReference.Points.Distance));
   return to;

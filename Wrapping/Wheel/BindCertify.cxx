@@ -63,11 +63,8 @@ nb::dict RunCertificate(const PointsIn& referencePoints, const TrianglesIn& refe
           }
           return found;
         });
-  std::vector<std::string> warnings =
-    PairSizeWarnings(reference, result, options.Tolerance.value_or(0.0));
-  const std::vector<std::string> more = PairWarnings(figures);
-  warnings.insert(warnings.end(), more.begin(), more.end());
-  return ToDict(std::move(certificate), figures, std::move(warnings));
+  return ToDict(std::move(certificate), figures,
+    PairWarnings(reference, result, options.Tolerance.value_or(0.0), figures));
 }
 }
 

@@ -71,6 +71,7 @@ private:
 
   /// Before the tolerance.
   std::string StatusText() const;
+  std::string Reservations() const;
   void TellStatus() const;
 
   const CertifyArguments& Requested;

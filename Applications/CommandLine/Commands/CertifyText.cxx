@@ -56,7 +56,9 @@ std::string CertifyRun::Line() const
   const std::string stopped = this->Filter->GetReportText("stopped");
   return LowerBoundText(this->Filter->GetLowerBound(), DecimalsOfLine) + " to " +
     UpperBoundText(this->Filter->GetUpperBound(), DecimalsOfLine) + " mm" +
-    (this->Filter->GetStatus() == vtkBoneSurfaceDistance::NOT_ASKED ? "" : ", " + status) +
+    (this->Filter->GetStatus() == vtkBoneSurfaceDistance::NOT_ASKED
+        ? ""
+        : ", " + status + this->Reservations()) +
     (stopped.empty() ? "" : ", " + stopped);
 }
 
@@ -144,6 +146,18 @@ std::string CertifyRun::StatusText() const
 }
 
 //------------------------------------------------------------------------------
+/// What a proof of the tolerance does not cover.
+std::string CertifyRun::Reservations() const
+{
+  if (this->Filter->GetStatus() != vtkBoneSurfaceDistance::PROVED)
+  {
+    return "";
+  }
+  return std::string(this->CoversWhatWasLeftOut() ? "" : ", but for what was left out") +
+    (this->Requested.WithoutBoundaries ? ", but for open boundaries" : "");
+}
+
+//------------------------------------------------------------------------------
 void CertifyRun::TellStatus() const
 {
   const std::string map = this->Requested.ToleranceArray.empty()
@@ -154,12 +168,7 @@ void CertifyRun::TellStatus() const
   if (this->Filter->GetStatus() != vtkBoneSurfaceDistance::NOT_ASKED)
   {
     std::cout << "tolerance            " << this->StatusText() << map
-              << (map.empty() || number.empty() ? "" : " and ") << number
-              << (this->CoversWhatWasLeftOut() ? "" : ", but for what was left out")
-              << (this->Requested.WithoutBoundaries &&
-                       this->Filter->GetStatus() == vtkBoneSurfaceDistance::PROVED
-                     ? ", but for open boundaries"
-                     : "")
+              << (map.empty() || number.empty() ? "" : " and ") << number << this->Reservations()
               << "\n";
   }
 }

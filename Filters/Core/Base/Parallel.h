@@ -11,7 +11,6 @@
 #include "Monitor.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <exception>
 #include <new>
@@ -68,41 +67,49 @@ bool StartThreads(std::vector<std::thread>& threads, std::size_t count, const Ru
   }
 }
 
+/// Calls run() and keeps what it throws; an exception must not leave a thread.
+template <typename Run>
+void KeepFailure(std::exception_ptr& failure, const Run& run)
+{
+  try
+  {
+    run();
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
+}
+
+/// Waits for all threads, then rethrows the first failure.
+inline void Join(std::vector<std::thread>& threads, const std::vector<std::exception_ptr>& failures)
+{
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (const std::exception_ptr& failure : failures)
+  {
+    if (failure)
+    {
+      std::rethrow_exception(failure);
+    }
+  }
+}
+
 /// Calls both, `other` on a thread of its own if there may be several; rethrows what they throw.
 template <typename Other, typename Mine>
 void RunBoth(int threads, const Other& other, const Mine& mine)
 {
-  std::array<std::exception_ptr, 2> failures;
-  const auto guarded = [](std::exception_ptr& failure, const auto& run)
-  {
-    try
-    {
-      run();
-    }
-    catch (...)
-    {
-      failure = std::current_exception();
-    }
-  };
+  std::vector<std::exception_ptr> failures(2);
   std::vector<std::thread> helper;
-  const bool isStarted = ThreadsToUse(threads) > 1 &&
-    StartThreads(helper, 1, [&](std::size_t) { guarded(failures[0], other); });
-  if (!isStarted)
+  const auto runOther = [&](std::size_t = 0) { KeepFailure(failures[0], other); };
+  if (ThreadsToUse(threads) < 2 || !StartThreads(helper, 1, runOther))
   {
-    guarded(failures[0], other);
+    runOther();
   }
-  guarded(failures[1], mine);
-  for (std::thread& thread : helper)
-  {
-    thread.join();
-  }
-  for (const std::exception_ptr& thrown : failures)
-  {
-    if (thrown)
-    {
-      std::rethrow_exception(thrown);
-    }
-  }
+  KeepFailure(failures[1], mine);
+  Join(helper, failures);
 }
 
 /// Number of items in a chunk, small enough for fine steps of progress.
@@ -140,13 +147,9 @@ bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const W
   std::vector<std::exception_ptr> failures(helpers + 1);
   const auto guarded = [&](std::exception_ptr& failure, auto afterEach)
   {
-    try
+    KeepFailure(failure, [&] { workUntilDone(afterEach); });
+    if (failure)
     {
-      workUntilDone(afterEach);
-    }
-    catch (...)
-    {
-      failure = std::current_exception();
       stopped = true;
     }
   };
@@ -159,17 +162,7 @@ bool ForEachPart(std::size_t parts, int threads, const Monitor& monitor, const W
       reported = static_cast<double>(std::min(next.load(), parts)) / static_cast<double>(parts);
       stopped = stopped || (monitor && !monitor(reported));
     });
-  for (std::thread& thread : pool)
-  {
-    thread.join();
-  }
-  for (const std::exception_ptr& failure : failures)
-  {
-    if (failure)
-    {
-      std::rethrow_exception(failure);
-    }
-  }
+  Join(pool, failures);
   const bool isUnreported = parts > 0 && reported < 1.0; // another thread did the last part
   return !stopped && !(isUnreported && monitor && !monitor(1.0));
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PairWarnings.h"
 
+#include "SizeText.h"
+
 #include <cstdio>
 
 namespace bonedecimate
@@ -67,6 +69,16 @@ std::vector<std::string> PairWarnings(const PairFigures& pair)
     warnings.push_back(MoreSentence(before.IntersectingPairs, after.IntersectingPairs,
       " intersecting pair of triangles", " intersecting pairs of triangles"));
   }
+  return warnings;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> PairWarnings(
+  const Surface& reference, const Surface& result, double tolerance, const PairFigures& pair)
+{
+  std::vector<std::string> warnings = PairSizeWarnings(reference, result, tolerance);
+  const std::vector<std::string> more = PairWarnings(pair);
+  warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;
 }
 }

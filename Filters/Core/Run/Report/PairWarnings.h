@@ -8,6 +8,7 @@
 #define BoneDecimate_Core_Run_Report_PairWarnings_h
 
 #include "CertificateTable.h"
+#include "Geometry/Surface.h"
 
 #include <string>
 #include <vector>
@@ -18,6 +19,10 @@ namespace bonedecimate
 /// edges, more intersecting pairs of triangles, and two surfaces that are the same. Empty unless
 /// both were measured.
 std::vector<std::string> PairWarnings(const PairFigures& pair);
+
+/// The same after the warnings of sizes, PairSizeWarnings.
+std::vector<std::string> PairWarnings(
+  const Surface& reference, const Surface& result, double tolerance, const PairFigures& pair);
 }
 
 #endif
