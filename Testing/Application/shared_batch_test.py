@@ -116,6 +116,20 @@ class SharedBatch(ApplicationTest):
         self.end([second])
         self.assertEqual({row["triangles_out"] for row in self.rows()}, {"960"})
 
+    def test_an_empty_folder_stays_while_another_batch_may_write_into_it(self):
+        self.path("maps/0").mkdir(parents=True)
+        header = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 4 4 4\nspacings: 1 1 1\nencoding: raw\n\n"
+        self.path("maps/0/empty.nrrd").write_bytes(header.encode() + bytes(64))
+        words = ("maps", "out", "--segments", "all", *UNMEASURED)
+        other = self.path("out/.bonedecimate/1.batch")
+        other.mkdir(parents=True)
+        self.succeed(*words)
+        self.assertTrue(self.path("out/0").is_dir())
+        self.path("out/0").rmdir()
+        other.rmdir()
+        self.succeed(*words)
+        self.assertFalse(self.path("out/0").exists())
+
     def test_what_failed_is_not_tried_by_each(self):
         self.path("studies/0/00.stl").write_bytes(b"no surface")
         batches = [self.start(), self.start()]

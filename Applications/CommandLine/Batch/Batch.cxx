@@ -94,7 +94,7 @@ public:
       this->Shared->Renew();
     }
     this->TakeOtherShards();
-    this->Shared.reset();
+    this->Leave();
     this->Table->Write(this->Rows);
     if (this->Table->HasProblem())
     {
@@ -115,6 +115,20 @@ private:
     {
       this->Folders.emplace_back(path);
     }
+  }
+
+  /// Folders that are still empty go, unless another batch is about to write into them.
+  void Leave()
+  {
+    if (this->Shared->HasOthers())
+    {
+      for (StagedFolder& folder : this->Folders)
+      {
+        folder.Keep();
+      }
+    }
+    this->Shared.reset();
+    this->Folders.clear();
   }
 
   void StartSome()

@@ -91,12 +91,18 @@ SharedFolder::~SharedFolder()
   {
     fs::remove_all(claim, ignored);
   }
-  Touch(this->Own);
-  if (this->OtherBatches().empty())
+  if (!this->HasOthers())
   {
     fs::remove_all(this->Hidden, ignored);
   }
   fs::remove_all(this->Own, ignored);
+}
+
+//------------------------------------------------------------------------------
+bool SharedFolder::HasOthers() const
+{
+  Touch(this->Own);
+  return !this->OtherBatches().empty();
 }
 
 //------------------------------------------------------------------------------

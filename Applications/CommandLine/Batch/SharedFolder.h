@@ -41,6 +41,9 @@ public:
   SharedFolder(const SharedFolder&) = delete;
   void operator=(const SharedFolder&) = delete;
 
+  /// Whether another batch is at work in the folder.
+  bool HasOthers() const;
+
   /// Whether the input is now at work in this batch; false: it is in another one.
   bool Claim(const std::string& name);
   void Release(const std::string& name);

@@ -26,6 +26,9 @@ public:
   StagedFolder(const StagedFolder&) = delete;
   void operator=(const StagedFolder&) = delete;
 
+  /// Nothing is removed in the end.
+  void Keep() { this->Made.clear(); }
+
 private:
   void Remove();
 
