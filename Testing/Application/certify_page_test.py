@@ -14,7 +14,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-from application import ApplicationTest, main, sphere, together, torus, write
+from application import ApplicationTest, main, read, sphere, together, torus, write
 from certify_test import square, without_a_triangle
 from combinations_inputs import scaled
 
@@ -65,6 +65,25 @@ class CertifyPage(ApplicationTest):
         self.assertTrue(0.24999 < float(shown[1]) <= 0.25 and 0.24999 < float(shown[2]) <= 0.25, shown[0])
         page = self.page(square(0.0), square(0.25), "--tolerance", 0.25001)
         self.assertIn("<strong>at most 0.25001 mm</strong><em>The tolerance of 0.25001 mm is proved.</em>", page)
+
+    def test_the_picture_has_no_figure_of_the_run_that_made_the_result(self):
+        write(torus(), self.path("in.ply"))
+        write(sphere(), self.path("other.ply"))
+        for folder in ("kept", "removed"):
+            self.path(folder).mkdir()
+        self.succeed("in.ply", "kept/result.vtp", "--max-error", 0.3)
+        surface = read(self.path("kept/result.vtp"))
+        surface.GetFieldData().Initialize()
+        write(surface, self.path("removed/result.vtp"))
+        for reference in ("other.ply", "kept/result.vtp"):
+            pictures = []
+            for folder in ("kept", "removed"):
+                self.succeed("certify", reference, f"{folder}/result.vtp", "--page", "c.html")
+                page = self.path("c.html").read_text(encoding="utf-8")
+                pictures.append(re.search(r'image/png;base64,([^"]+)', page))
+            if not all(pictures):
+                self.skipTest("the program was built without pictures")
+            self.assertEqual(*(picture[1] for picture in pictures))
 
     def test_the_head_names_an_open_boundary_that_alone_violates_the_tolerance(self):
         page = self.page(torus(), without_a_triangle(torus()), "--tolerance", 5)

@@ -150,6 +150,9 @@ void CertifyRun::WritePage(StagedFile& page, StagedFile& picture)
     drawn.Title = PlainText(BaseName(this->Requested.Result()));
     drawn.Frame = this->Frame;
     drawn.Names = { "Reference", "Result" };
+    const ReportFields certificate(this->Json());
+    drawn.Triangles = { certificate.Number("reference.triangles"),
+      certificate.Number("result.triangles") };
     drawn.Tolerance = this->Requested.Tolerance.value_or(0.0);
     drawn.Mark = MarkOfCertificate(this->Json());
     const std::string problem = WritePicture(drawn, picture.GetTemporary());

@@ -75,9 +75,7 @@ Distances FindDistances(vtkPolyData* surface, const PictureSubject& subject)
   distances.Scale = subject.Tolerance > 0.0 ? ScaleOfTolerance(subject.Tolerance)
                                             : ColorScale{ ColorRange(sorted) };
   const double largest = sorted.empty() ? 0.0 : sorted.back();
-  // The report has distances between the points, too.
-  const auto reported = ReportFields(subject.After).Number("distance.input_to_output.max");
-  distances.Largest = std::max(largest, reported.value_or(0.0));
+  distances.Largest = std::max(largest, subject.LargestDistance);
   return distances;
 }
 
@@ -125,13 +123,12 @@ void TurnTo(const PictureMark& mark, vtkPolyData* before, vtkPolyData* after, vt
   }
 }
 
-/// The triangles the run began with; equal points may have been merged and empty triangles dropped
-/// since the file.
-double CountBefore(vtkPolyData* before, vtkPolyData* after)
+/// "Before: 1,234 triangles"
+std::string CountCaption(const PictureSubject& subject, std::size_t surface, vtkPolyData* drawn)
 {
-  return ReportFields(after)
-    .Number("input.triangles")
-    .value_or(static_cast<double>(before->GetNumberOfPolys()));
+  const auto count = static_cast<double>(drawn->GetNumberOfPolys());
+  return subject.Names[surface] + ": " + GroupedText(subject.Triangles[surface].value_or(count)) +
+    " triangles";
 }
 
 void WriteCaptions(Overlay& overlay, const std::vector<std::string>& captions, bool hasTitle)
@@ -365,9 +362,7 @@ void ComposePicture(vtkRenderWindow* window, const PictureSubject& subject)
     overlay.Write({ subject.Title, { 0.5, 1.0 - 0.5 * TitleHeight }, 0.03, Align::Center, true });
   }
   WriteCaptions(overlay,
-    { subject.Names[0] + ": " + GroupedText(CountBefore(before, subject.After)) + " triangles",
-      subject.Names[1] + ": " + GroupedText(static_cast<double>(after->GetNumberOfPolys())) +
-        " triangles",
+    { CountCaption(subject, 0, before), CountCaption(subject, 1, after),
       DistanceCaption(distances, subject) },
     hasTitle);
   MarkViews(overlay, window, rows, subject);

@@ -212,11 +212,11 @@ const std::vector<RunKind>& RunKindTable()
   return table;
 }
 
-const RunKind& FindRunKind(const std::string& name)
+const RunKind& FindRunKind(std::string_view name)
 {
   const std::vector<RunKind>& table = RunKindTable();
   return *std::find_if(
-    table.begin(), table.end(), [&name](const RunKind& kind) { return kind.Name == name; });
+    table.begin(), table.end(), [name](const RunKind& kind) { return kind.Name == name; });
 }
 
 std::vector<Request> RequestsOf(const Options& options)

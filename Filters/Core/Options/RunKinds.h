@@ -16,6 +16,7 @@
 #include "Needs.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bonedecimate
@@ -42,7 +43,7 @@ struct RunKind
 const std::vector<RunKind>& RunKindTable();
 
 /// The row of that name, which there must be.
-const RunKind& FindRunKind(const std::string& name);
+const RunKind& FindRunKind(std::string_view name);
 
 /// An option or an input, what it needs, and whether it is used.
 struct Request
