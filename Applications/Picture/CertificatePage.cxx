@@ -370,7 +370,7 @@ std::string ComposeCertificatePage(
     ? std::string()
     : EmbeddedPicture(pictureFile, "The reference and the result");
   PairSubject shown = pair;
-  shown.Largest = { LargestOf(report, "reference_to_result."),
+  shown.Largest = std::array<LargestDistance, 2>{ LargestOf(report, "reference_to_result."),
     LargestOf(report, "result_to_reference.") };
   const std::vector<FarPoint> points = FarthestOfPair(shown);
   shown.Names = { "Reference", "Result" };

@@ -23,9 +23,9 @@ bool HasTriangles(vtkPolyData* surface)
 LargestDistance LargestOf(
   const PairSubject& subject, std::size_t side, const std::string& direction)
 {
-  if (subject.Largest[side].Distance > 0.0)
+  if (subject.Largest)
   {
-    return subject.Largest[side];
+    return (*subject.Largest)[side];
   }
   const ReportFields report(subject.Result);
   const std::string path = "distance." + direction;

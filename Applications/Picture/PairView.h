@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,8 @@ struct PairSubject
   vtkSmartPointer<vtkPolyData> Before; ///< May be null.
   std::string DistanceArrayName;       ///< On Before, mm, of each point.
   std::string ResultDistanceArrayName; ///< On Result, mm, of each point.
-  /// From Before to Result and back, where the report of Result does not say so.
-  std::array<LargestDistance, 2> Largest;
+  /// From Before to Result and back; empty: as the report of Result says.
+  std::optional<std::array<LargestDistance, 2>> Largest;
   SurfaceReducer Reduce;  ///< For the interactive view of surfaces that are too large for a page.
   std::string Frame;      ///< Axes of the coordinates, "LPS" or "RAS"; empty: not known.
   double Tolerance = 0.0; ///< As that of ColorScale.

@@ -76,11 +76,13 @@ class CertifyPage(ApplicationTest):
         surface.GetFieldData().Initialize()
         write(surface, self.path("removed/result.vtp"))
         for reference in ("other.ply", "kept/result.vtp"):
-            pictures = []
+            pictures, tables = [], []
             for folder in ("kept", "removed"):
                 self.succeed("certify", reference, f"{folder}/result.vtp", "--page", "c.html")
                 page = self.path("c.html").read_text(encoding="utf-8")
                 pictures.append(re.search(r'image/png;base64,([^"]+)', page))
+                tables.append(re.findall(r"(?s)are farthest apart.*?</table>", page))
+            self.assertEqual(*tables)
             if not all(pictures):
                 self.skipTest("the program was built without pictures")
             self.assertEqual(*(picture[1] for picture in pictures))
