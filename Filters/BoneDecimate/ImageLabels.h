@@ -12,6 +12,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <string>
 
 class vtkDataArray;
