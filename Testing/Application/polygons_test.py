@@ -36,7 +36,7 @@ def flat_polygon(radii):
     """A disk with corners at these distances from its center, closed by a pyramid."""
     count = len(radii)
     lines = ["v %r %r 0" % (r * math.cos(2 * math.pi * i / count), r * math.sin(2 * math.pi * i / count))
-             for i, r in enumerate(radii)]
+             for i, r in enumerate(radii.tolist())]
     lines.append("v 0 0 -15")
     lines.append("f " + " ".join(str(i + 1) for i in range(count)))
     lines += [f"f {(i + 1) % count + 1} {i + 1} {count + 1}" for i in range(count)]
