@@ -28,9 +28,9 @@
 #include "vtkFiltersBoneDecimateModule.h" // for export macro
 
 #include <cstdint> // for std::int64_t
-#include <memory> // for std::unique_ptr
-#include <string> // for GetRejectedValue
-#include <vector> // for the labels of the image
+#include <memory>  // for std::unique_ptr
+#include <string>  // for GetRejectedValue
+#include <vector>  // for the labels of the image
 
 class vtkImageData;
 
