@@ -296,4 +296,12 @@ std::string ComposePage(const PageSubject& subject)
       { "tunnels", TunnelSection(report) }, { "diagnostics", Diagnostics(report) },
       { "made", MadeSection(report) } });
 }
+
+//------------------------------------------------------------------------------
+void TakeReport(PictureSubject& subject)
+{
+  const ReportFields report(subject.After);
+  subject.Triangles[0] = report.Number("input.triangles");
+  subject.LargestDistance = report.Number("distance.input_to_output.max").value_or(0.0);
+}
 }

@@ -8,6 +8,7 @@
 #define BoneDecimate_Applications_Page_h
 
 #include "PairView.h"
+#include "Picture.h"
 #include "SurfaceExtents.h"
 
 #include "vtkPolyData.h"
@@ -56,6 +57,9 @@ std::string ComposePage(const PageSubject& subject);
 
 /// The page of the levels of one run, with all of them in the interactive view.
 std::string ComposeLevelsPage(const LevelsPageSubject& subject);
+
+/// What captions say of a run, from the report that its result, After, carries.
+void TakeReport(PictureSubject& subject);
 }
 
 #endif

@@ -34,7 +34,8 @@ struct PictureSubject
   std::string Title;             ///< Over the picture; may be empty.
   std::string Frame; ///< "LPS", "RAS", or empty: not known. Then no directions are written.
   std::array<std::string, 2> Names{ "Before", "After" }; ///< What captions call the surfaces.
-  std::array<std::optional<double>, 2> Triangles; ///< Those of captions; empty: as they are drawn.
+  std::array<std::optional<double>, 2>
+    Triangles;                     ///< In captions, before and after; empty: as drawn.
   double LargestDistance = 0.0;    ///< mm, if it is known to be larger than that of any point.
   double Tolerance = 0.0;          ///< As that of ColorScale.
   std::optional<PictureMark> Mark; ///< Empty: the close-up shows where most of the distance is.

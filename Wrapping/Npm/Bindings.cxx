@@ -11,7 +11,6 @@
 #include "Run/Report/PairWarnings.h"
 #include "Run/Report/ReportJson.h"
 #include "Run/Report/ReportTable.h"
-#include "Run/Report/SizeText.h"
 #include "Run/RunWarnings.h"
 #include "Values.h"
 

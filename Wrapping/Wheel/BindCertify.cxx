@@ -9,7 +9,6 @@
 #include "Run/Report/CertificateTable.h"
 #include "Run/Report/PairWarnings.h"
 #include "Run/Report/ReportJson.h"
-#include "Run/Report/SizeText.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>

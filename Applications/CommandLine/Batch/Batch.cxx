@@ -117,7 +117,7 @@ private:
     }
   }
 
-  /// Folders that are still empty go, unless another batch is about to write into them.
+  /// Folders that are still empty go, unless another batch may be about to write into them.
   void Leave()
   {
     if (this->Shared->HasOthers())

@@ -150,11 +150,11 @@ void CertifyRun::WritePage(StagedFile& page, StagedFile& picture)
     drawn.Title = PlainText(BaseName(this->Requested.Result()));
     drawn.Frame = this->Frame;
     drawn.Names = { "Reference", "Result" };
-    const ReportFields certificate(this->Json());
-    drawn.Triangles = { certificate.Number("reference.triangles"),
-      certificate.Number("result.triangles") };
+    const std::string certificate = this->Json();
+    const ReportFields report(certificate);
+    drawn.Triangles = { report.Number("reference.triangles"), report.Number("result.triangles") };
     drawn.Tolerance = this->Requested.Tolerance.value_or(0.0);
-    drawn.Mark = MarkOfCertificate(this->Json());
+    drawn.Mark = MarkOfCertificate(certificate);
     const std::string problem = WritePicture(drawn, picture.GetTemporary());
     TakeVtkMessages(); // whatever VTK said about a missing display is in the problem
     pictureFile = problem.empty() ? picture.GetTemporary() : std::string();

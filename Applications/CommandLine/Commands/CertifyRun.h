@@ -71,6 +71,8 @@ private:
 
   /// Before the tolerance.
   std::string StatusText() const;
+
+  /// What a proof of the tolerance does not cover; empty without one.
   std::string Reservations() const;
   void TellStatus() const;
 

@@ -146,7 +146,6 @@ std::string CertifyRun::StatusText() const
 }
 
 //------------------------------------------------------------------------------
-/// What a proof of the tolerance does not cover.
 std::string CertifyRun::Reservations() const
 {
   if (this->Filter->GetStatus() != vtkBoneSurfaceDistance::PROVED)

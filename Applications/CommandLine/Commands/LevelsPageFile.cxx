@@ -6,7 +6,6 @@
 #include "Page.h"
 #include "Picture.h"
 #include "Report/PageSurfaces.h"
-#include "ReportFields.h"
 #include "Terminal/VtkMessages.h"
 
 namespace bonedecimate
@@ -37,9 +36,7 @@ std::string DrawLevels(const LevelsPageSubject& subject, const std::string& file
   picture.DistanceArrayName = DistanceName;
   picture.Title = subject.Name + ", coarsest level";
   picture.Frame = subject.Frame;
-  const ReportFields report(picture.After);
-  picture.Triangles[0] = report.Number("input.triangles");
-  picture.LargestDistance = report.Number("distance.input_to_output.max").value_or(0.0);
+  TakeReport(picture);
   const std::string problem = WritePicture(picture, file);
   TakeVtkMessages(); // whatever VTK said about a missing display is in the problem
   return problem;

@@ -212,9 +212,7 @@ public:
     picture.DistanceArrayName = this->Filter->GetInputDistanceArrayName();
     picture.Title = PlainText(this->Subject.Input);
     picture.Frame = this->Subject.CoordinateSystem;
-    const ReportFields report(picture.After);
-    picture.Triangles[0] = report.Number("input.triangles");
-    picture.LargestDistance = report.Number("distance.input_to_output.max").value_or(0.0);
+    TakeReport(picture);
     this->PictureProblem = WritePicture(picture, files.Picture->GetTemporary());
     TakeVtkMessages(); // whatever VTK said about a missing display is in the problem
     if (!this->PictureProblem.empty())

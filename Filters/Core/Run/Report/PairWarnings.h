@@ -21,6 +21,7 @@ namespace bonedecimate
 std::vector<std::string> PairWarnings(const PairFigures& pair);
 
 /// The same after the warnings of sizes, PairSizeWarnings.
+/// @param tolerance The largest, mm; 0 or less: none.
 std::vector<std::string> PairWarnings(
   const Surface& reference, const Surface& result, double tolerance, const PairFigures& pair);
 }
