@@ -16,7 +16,7 @@
 # sizes         no file over 400 lines, no function over 60, no line of C++ over 100 columns
 # words         terms of the field, Utilities/check_words.py
 # release       versions, dates, placeholders, versions of tools, third-party software, Utilities/check_release.py
-# architecture  includes follow the module table of ARCHITECTURE.md
+# architecture  includes follow the module table of ARCHITECTURE.md; headers include <cstdint> for their integers
 # site          builds the documentation as a site: links, anchors, references of Python and C++ (Utilities/build_site.sh)
 # sanitize      builds the core with the address and undefined-behavior sanitizers and runs those tests that together reach
 #               98 % of the basic blocks that were recorded (select_sanitized_tests.py), the fuzzers' corpora and a few attacks.

@@ -17,6 +17,7 @@
 
 #include "Layers/LayeredVolume.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 

@@ -9,6 +9,7 @@
 
 #include "Volume.h"
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) vtkBoneDecimate contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks every include against the table "Modules" of ARCHITECTURE.md and reports file, line and rule of each violation.
+"""Checks every include against the table "Modules" of ARCHITECTURE.md, and that headers include what fixed-width integers need.
+
+Reports file, line and rule of each violation.
 
     modules.py [ROOT]        check the tree
     modules.py --self-test   check that violations added to a copy of the tree's skeleton are found
@@ -15,6 +17,7 @@ FILTERS = "Filters/BoneDecimate"
 PARALLEL = "Filters/BoneDecimateParallel"
 SOURCES = (".h", ".cxx", ".hpp", ".cpp", ".h.in", ".cxx.in")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
+FIXED_WIDTH = re.compile(r"\bstd::u?int\d+_t\b")
 
 # Modules of the applications that belong together. "system" below means the headers of the operating system and of its
 # small libraries.
@@ -184,7 +187,15 @@ def check_file(root, path, modules):
         rule = broken_rule(module, target, include.group(2), modules)
         if rule:
             found.append(f'{path}:{number}: {rule}: "{include.group(2)}"')
-    return found
+    return found + check_integers(path, text)
+
+
+def check_integers(path, text):
+    """A header does not rely on others for the fixed-width integers: since gcc 13 those of the library no longer bring them."""
+    used = FIXED_WIDTH.search(text)
+    if not path.endswith(".h") or not used or "#include <cstdint>" in text:
+        return []
+    return [f"{path}:{text.count(chr(10), 0, used.start()) + 1}: {used[0]} without <cstdint>"]
 
 
 def check_tree(root):

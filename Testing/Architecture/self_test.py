@@ -36,6 +36,8 @@ CASES = [
     ("Applications/CommandLine/C.cxx", '#include "Run/Decimate.h"', None),
     ("Applications/CommandLine/D.cxx", "#include <CLI/CLI.hpp>", None),
     ("Filters/BoneDecimate/C.cxx", "#include <vtkPolyData.h>", None),
+    ("Filters/Core/Geometry/D.h", "std::uint64_t Count();", "std::uint64_t without <cstdint>"),
+    ("Filters/Core/Geometry/E.h", "#include <cstdint>\nstd::int64_t Count();", None),
     ("Testing/Unit/A.cxx", '#include "Decimate/Edit/Editor.h"', None),
 ]
 SKELETON = ["Filters/Core/Run/Decimate.h", "Filters/Core/Run/Report/Report.h", "Filters/Core/Mesh/HalfEdgeMesh.h",

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
 
+#include <cstdint>
 #include <cstdio>
 
 template <typename Point>

@@ -24,6 +24,7 @@
 #include "vtkTrivialProducer.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate::testsupport

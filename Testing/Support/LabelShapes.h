@@ -11,6 +11,7 @@
 #include "Geometry/Surface.h"
 #include "Labels/LabelMap/VoxelGrid.h"
 
+#include <cstdint>
 #include <functional>
 
 namespace bonedecimate::testsupport

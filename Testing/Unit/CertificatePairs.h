@@ -14,6 +14,7 @@
 #include "Shapes.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>

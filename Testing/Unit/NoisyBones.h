@@ -12,6 +12,7 @@
 #include "Random.h"
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -12,6 +12,7 @@
 #include "ChildProcess.h"
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 namespace bonedecimate

@@ -13,6 +13,8 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
+
 namespace bonedecimate
 {
 /**

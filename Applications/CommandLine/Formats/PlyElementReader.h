@@ -9,6 +9,8 @@
 
 #include "PlyHeader.h"
 
+#include <cstdint>
+
 namespace bonedecimate
 {
 /// The values of one element; a double holds every type of the format exactly.

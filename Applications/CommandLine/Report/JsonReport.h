@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -15,6 +15,7 @@
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 
+#include <cstdint>
 #include <set>
 #include <vector>
 

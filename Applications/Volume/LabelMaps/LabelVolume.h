@@ -14,6 +14,7 @@
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <string>
 
 namespace bonedecimate

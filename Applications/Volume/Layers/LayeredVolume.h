@@ -11,6 +11,7 @@
 
 #include "vtkFieldData.h"
 
+#include <cstdint>
 #include <functional>
 
 namespace bonedecimate::volume

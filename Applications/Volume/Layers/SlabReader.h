@@ -10,6 +10,7 @@
 #include "IsolatedReader.h"
 #include "Volume.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>

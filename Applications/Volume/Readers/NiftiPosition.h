@@ -11,6 +11,7 @@
 #include "NiftiHeader.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 
 namespace bonedecimate::volume

@@ -10,6 +10,7 @@
 
 #include "ItkImage.h"
 
+#include <cstdint>
 #include <string>
 
 struct tiff;

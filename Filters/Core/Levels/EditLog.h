@@ -17,6 +17,7 @@
 
 #include "Geometry/Surface.h"
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 

@@ -22,6 +22,7 @@
 #include "Geometry/Surface.h"
 #include "VertexConstraint.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -11,6 +11,7 @@
 #include "Handles.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

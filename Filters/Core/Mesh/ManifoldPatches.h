@@ -22,6 +22,8 @@
 #include "Cleaning.h"
 #include "HalfEdgeMesh.h"
 
+#include <cstdint>
+
 namespace bonedecimate
 {
 /// Splits the surface and updates its maps. Duplicates are appended; each input point maps to the

@@ -13,6 +13,7 @@
 #include "Base/LargeArray.h"
 #include "Geometry/Surface.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

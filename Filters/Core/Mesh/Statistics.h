@@ -11,6 +11,7 @@
 #include "Figures/SurfaceFigures.h"
 #include "Geometry/Surface.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -24,6 +24,7 @@
 
 #include "Decimate.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -22,6 +22,8 @@
 #include "Levels/LevelStack.h"
 #include "Levels/LogBytes.h"
 
+#include <cstdint>
+
 namespace bonedecimate
 {
 class BoundingTree;

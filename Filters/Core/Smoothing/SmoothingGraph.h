@@ -30,6 +30,7 @@
 #include "SharpEdges.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -10,6 +10,8 @@
 #include "Figures/EditFigures.h"
 #include "Geometry/Surface.h"
 
+#include <cstdint>
+
 namespace bonedecimate
 {
 /// The figures of the report, and more. Rejections are those of collapses alone.

@@ -12,6 +12,7 @@
 #include "Proof/EditFilters/EditFilter.h"
 #include "Proof/EditFilters/SurfaceChange.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 

@@ -9,6 +9,8 @@
 
 #include "Lanes.h"
 
+#include <cstdint>
+
 namespace bonedecimate
 {
 namespace

@@ -20,6 +20,7 @@
 #include "PlaneSums.h"
 #include "ReachKernel.h"
 
+#include <cstdint>
 #include <limits>
 
 namespace bonedecimate

@@ -30,6 +30,7 @@
 #include "StopCriterion.h"
 #include "VertexLists.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

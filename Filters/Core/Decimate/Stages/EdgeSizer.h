@@ -21,6 +21,8 @@
 #include "Mesh/LocalLengths.h"
 #include "ShapeCollapse.h"
 
+#include <cstdint>
+
 namespace bonedecimate
 {
 class EdgeSizer

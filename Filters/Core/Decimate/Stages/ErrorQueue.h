@@ -21,6 +21,7 @@
 #include "FanFit.h"
 #include "SampledErrors.h"
 
+#include <cstdint>
 #include <limits>
 #include <queue>
 #include <vector>

@@ -14,6 +14,7 @@
 #include "Proof/Reference/OriginalHints.h"
 #include "Proof/Reference/Samples.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -21,6 +21,7 @@
 #include "Mesh/HalfEdgeMesh.h"
 #include "Mesh/VertexRange.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

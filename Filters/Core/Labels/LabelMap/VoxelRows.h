@@ -21,6 +21,7 @@
 #include "VoxelGrid.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -13,6 +13,7 @@
 
 #include "FixedPoint.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

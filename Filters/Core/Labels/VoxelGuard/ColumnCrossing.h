@@ -24,6 +24,8 @@
 
 #include "CenterLattice.h"
 
+#include <cstdint>
+
 namespace bonedecimate
 {
 /// The largest side of a box for which the predicates are exact.

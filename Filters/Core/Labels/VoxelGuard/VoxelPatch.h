@@ -20,6 +20,7 @@
 #include "ColumnCrossing.h"
 #include "RimLines.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -18,6 +18,7 @@
 #include "Mesh/SurfaceParts.h"
 #include "RegionPart.h"
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>

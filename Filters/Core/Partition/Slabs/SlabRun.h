@@ -22,6 +22,7 @@
 #include "Options/Options.h"
 #include "Run/Output/Result.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 

@@ -16,6 +16,7 @@
 #include "SlabRun.h"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <vector>
 

@@ -12,6 +12,7 @@
 #include "Search.h"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>

@@ -11,6 +11,7 @@
 #include "Mesh/HalfEdgeMesh.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -13,6 +13,7 @@
 #include "Levels/EditLog.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -25,6 +25,7 @@
 #include "Mesh/VertexRange.h"
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>

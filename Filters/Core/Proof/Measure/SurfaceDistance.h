@@ -13,6 +13,7 @@
 #include "Geometry/BoundingTree.h"
 #include "Geometry/Surface.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -18,6 +18,7 @@
 #include "Mesh/Cleaning.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate

@@ -10,6 +10,8 @@
 #include "Levels/EditLog.h"
 #include "Run/Input/PrepareInput.h"
 
+#include <cstdint>
+
 namespace bonedecimate
 {
 /// @param log The log of the editor, positions in mm relative to the origin of the cleaned input.

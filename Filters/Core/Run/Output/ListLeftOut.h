@@ -19,6 +19,7 @@
 #include "Run/Input/ReferenceInput.h"
 #include "Run/Input/RunInputs.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace bonedecimate
