@@ -97,6 +97,10 @@ if [ -n "$(git status --porcelain)" ]; then
 fi
 Utilities/install_packages.sh core build run site
 Utilities/check_release.py
+if grep -q '^## .* (unreleased)$' CHANGELOG.md; then
+  echo "The changelog has no date for this version." >&2
+  exit 1
+fi
 mkdir -p "$folder" "$roots"
 [ $# -gt 0 ] || set -- sdist wheel arm64 windows npm bookworm trixie site
 for artifact in "$@"; do

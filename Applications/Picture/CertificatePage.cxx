@@ -3,6 +3,7 @@
 #include "CertificatePage.h"
 
 #include "Base/Text.h"
+#include "CertificateFinding.h"
 #include "Figures/BoundText.h"
 #include "NumberText.h"
 #include "PageParts.h"
@@ -13,9 +14,6 @@
 #include "VoxelSection.h"
 
 #include <array>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -25,82 +23,6 @@ namespace
 {
 constexpr int Decimals = 6;
 constexpr int FewDecimals = 4;
-constexpr int MostDecimals = 17;
-const std::array<std::string, 2> Directions = { "reference_to_result.", "result_to_reference." };
-
-double ToleranceOf(const ReportFields& report)
-{
-  return report.Number("tolerance").value_or(0.0);
-}
-
-/// Rounded down, but not to a tolerance that the bound exceeds.
-std::string LowerText(double lower, double tolerance, int decimals)
-{
-  std::string text = LowerBoundText(lower, decimals);
-  while (
-    lower > tolerance && std::strtod(text.c_str(), nullptr) <= tolerance && decimals < MostDecimals)
-  {
-    text = LowerBoundText(lower, ++decimals);
-  }
-  return text;
-}
-
-/// Rounded up, but not above a tolerance that the bound keeps.
-std::string UpperText(double upper, double tolerance, int decimals)
-{
-  std::string text = UpperBoundText(upper, decimals);
-  while (
-    upper <= tolerance && std::strtod(text.c_str(), nullptr) > tolerance && decimals < MostDecimals)
-  {
-    text = UpperBoundText(upper, ++decimals);
-  }
-  return text;
-}
-
-/// "0.5151 mm" and both bounds; "at least" unless they agree.
-std::string ExceedingText(const ReportFields& report, const std::string& path)
-{
-  const double tolerance = ToleranceOf(report);
-  const double lower = report.Number(path + "lower").value_or(0.0);
-  const std::optional<double> upper = report.Number(path + "upper");
-  const bool doAgree = upper && *upper - lower < std::pow(10.0, -FewDecimals);
-  return (doAgree ? "" : "at least ") + LowerText(lower, tolerance, FewDecimals) +
-    " mm <small>(proved: " + LowerText(lower, tolerance, Decimals) +
-    (upper ? " to " + UpperText(*upper, tolerance, Decimals) : " or more") + ")</small>";
-}
-
-std::array<double, 3> PositionOf(const ReportFields& report, const std::string& path)
-{
-  const auto value = [&](const char* axis) { return report.Number(path + axis).value_or(0.0); };
-  return { value("x"), value("y"), value("z") };
-}
-
-/// The index of the direction with the larger lower bound.
-std::size_t FartherOf(const ReportFields& report)
-{
-  const auto lower = [&](std::size_t side)
-  { return report.Number(Directions[side] + "lower").value_or(0.0); };
-  return lower(0) < lower(1) ? 1 : 0;
-}
-
-/// The path of the direction in which open boundaries violate the tolerance, if nothing else does;
-/// empty otherwise.
-std::string ViolatingBoundary(const ReportFields& report)
-{
-  const auto isViolated = [&report](const std::string& path)
-  { return report.Text(path + "status") == "violated"; };
-  std::string found;
-  for (const std::string& direction : Directions)
-  {
-    if (isViolated(direction))
-    {
-      return {};
-    }
-    const std::string boundary = "boundary_" + direction;
-    found = isViolated(boundary) ? boundary : found;
-  }
-  return found;
-}
 
 std::string BoundsText(const ReportFields& report, const std::string& path)
 {
@@ -140,15 +62,6 @@ std::string LeftOutList(const ReportFields& report)
                        : "<p>Not compared, because it is no surface:</p><ul>" + items + "</ul>";
 }
 
-/// The bound below, at the position that has it.
-LargestDistance LargestOf(const ReportFields& report, const std::string& path)
-{
-  return { report.Number(path + "triangle").value_or(-1.0) < 0.0
-      ? 0.0
-      : report.Number(path + "lower").value_or(0.0),
-    PositionOf(report, path) };
-}
-
 /// What is not compared, in a sentence; empty if there is nothing.
 std::string ExceptionsText(const ReportFields& report)
 {
@@ -164,33 +77,6 @@ std::string ExceptionsText(const ReportFields& report)
       EscapedXml(report.Text("left_out." + std::to_string(i) + ".sentence"));
   }
   return text.empty() ? text : " Exceptions: " + text + ".";
-}
-
-/// The figure and its meaning: of the open boundaries, if they alone violate the tolerance.
-std::array<std::string, 2> Violation(const ReportFields& report, const std::string& frame)
-{
-  const auto at = [&](const std::string& path)
-  { return " at " + AnatomicalText(PositionOf(report, path), frame) + " mm"; };
-  const std::string boundary = ViolatingBoundary(report);
-  if (boundary.empty())
-  {
-    const std::size_t side = FartherOf(report);
-    return { ExceedingText(report, ""),
-      (side == 0 ? "A point of the reference" : "A point of the result") + at(Directions[side]) +
-        " is that far from the " + (side == 0 ? "result." : "reference.") };
-  }
-  const std::string apart = " Apart from that, no point of either surface is farther than " +
-    UpperText(report.Number("upper").value_or(0.0), ToleranceOf(report), FewDecimals) +
-    " mm from the other.";
-  const std::string boundaries = report.Text("boundaries");
-  if (boundaries == "reference_only" || boundaries == "result_only")
-  {
-    const std::string surface = boundaries == "result_only" ? "result" : "reference";
-    return { "open boundary",
-      "Only the " + surface + " has open boundaries, one" + at(boundary) + "." + apart };
-  }
-  return { ExceedingText(report, boundary),
-    "An open boundary" + at(boundary) + " is that far from those of the other surface." + apart };
 }
 
 std::string CountOf(const ReportFields& report, const std::string& name)
@@ -238,7 +124,7 @@ std::string Headline(const ReportFields& report, const std::string& frame)
           " mm",
         "No point of either surface is farther from the other." };
   std::string tiles;
-  if (report.Number("reference.components"))
+  if (report.Number("reference.components") && report.Number("result.components"))
   {
     tiles = ComponentsTile(report, frame) +
       FigureTile(CountOf(report, "result.triangles"),
@@ -335,26 +221,8 @@ std::string Warnings(const ReportFields& report)
   {
     items += "<li>" + EscapedXml(report.Text(name)) + "</li>";
   }
-  return items.empty() ? items : "<ul>" + items + "</ul>";
+  return items.empty() ? items : PageBlock("certificate warnings", { { "items", items } });
 }
-}
-
-std::optional<PictureMark> MarkOfCertificate(const std::string& certificate)
-{
-  const ReportFields report(certificate);
-  const std::string boundary = ViolatingBoundary(report);
-  const std::string& farther = Directions[FartherOf(report)];
-  const double lower = report.Number("lower").value_or(0.0);
-  if (boundary.empty() && LargestOf(report, farther).Distance <= 0.0)
-  {
-    return {};
-  }
-  constexpr double widthOfCloseUp = 20.0; // distances
-  const std::string largest = LowerText(lower, ToleranceOf(report), FewDecimals);
-  const std::string path = boundary.empty() ? farther : boundary;
-  return PictureMark{ PositionOf(report, path), path.find(Directions[0]) != std::string::npos,
-    boundary.empty() ? largest + " mm" : "open boundary",
-    boundary.empty() ? widthOfCloseUp * lower : std::numeric_limits<double>::infinity(), largest };
 }
 
 std::string ComposeCertificatePage(

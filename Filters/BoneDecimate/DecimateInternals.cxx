@@ -21,7 +21,8 @@
 #include "vtkInformationVector.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkVersionMacros.h"
+
+#include <functional>
 
 namespace
 {
@@ -225,9 +226,8 @@ int vtkBoneDecimate::Internals::Run(vtkPolyData* input, vtkPolyData* reference,
   }
   const bonedecimate::Options& options = this->Filter->State->Options;
   bonedecimate::FilterProgress progress(*this->Filter, "Simplifying the surface");
-  bonedecimate::Result result = bonedecimate::Decimate(
-    read.Converted.Surface, options,
-    [&](double fraction) { return this->ShouldContinue(progress, fraction); }, read.Inputs);
+  bonedecimate::Result result =
+    bonedecimate::Decimate(read.Converted.Surface, options, std::ref(progress), read.Inputs);
   this->ProveContinuedPart(read, result);
   this->Filter->Warn(read.Map.CompareWithMap(read.Converted.Surface, options, result));
   bonedecimate::NameCells(read.Converted, result.Report);
@@ -270,18 +270,4 @@ bool vtkBoneDecimate::Internals::Accept(const std::string& problem)
       vtkErrorWithObjectMacro(this->Filter, << problem);
       return false;
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkBoneDecimate::Internals::ShouldContinue(
-  bonedecimate::FilterProgress& progress, double fraction)
-{
-  const bool shouldContinue = progress(fraction);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  if (!shouldContinue)
-  {
-    this->Filter->SetAbortOutput(false); // the output is a valid surface and stays
-  }
-#endif
-  return shouldContinue;
 }

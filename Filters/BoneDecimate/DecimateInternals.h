@@ -23,7 +23,6 @@ class vtkImageData;
 
 namespace bonedecimate
 {
-class FilterProgress;
 class RegionCache;
 struct LabelMapRequest;
 struct Result;
@@ -180,7 +179,6 @@ private:
     const bonedecimate::LabelMapRequest& map, RunInput& read);
   void ProveContinuedPart(const RunInput& read, bonedecimate::Result& result);
   void RejectArray(vtkPolyData* input, int index);
-  bool ShouldContinue(bonedecimate::FilterProgress& progress, double fraction);
 
   vtkBoneDecimate* Filter;
   std::unique_ptr<PartOfSurface> Part; // null: the input is the whole surface

@@ -14,6 +14,23 @@
 
 namespace bonedecimate
 {
+/// Whether a run of the filter is to go on. After an abort its output stays: it is valid.
+inline bool ShouldContinue(vtkAlgorithm& filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
+  const bool isAborted = filter.CheckAbort();
+#else
+  const bool isAborted = filter.GetAbortExecute() != 0;
+#endif
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  if (isAborted)
+  {
+    filter.SetAbortOutput(false);
+  }
+#endif
+  return !isAborted;
+}
+
 /**
  * A progress event of the filter at every percent, and four times a second, so that an
  * observer can abort between two percents. Every call, of which there are many more, looks
@@ -39,7 +56,7 @@ public:
   {
     constexpr double rounding = 1e-9;
     const int percent = static_cast<int>(100.0 * fraction + rounding);
-    bool shouldContinue = this->ShouldContinue();
+    bool shouldContinue = ShouldContinue(this->Filter);
     while (shouldContinue && this->Percent < percent)
     {
       ++this->Percent;
@@ -56,16 +73,7 @@ private:
   {
     this->Filter.UpdateProgress(this->Percent / 100.0);
     this->Told = Clock::now();
-    return this->ShouldContinue();
-  }
-
-  bool ShouldContinue()
-  {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220614)
-    return !this->Filter.CheckAbort();
-#else
-    return this->Filter.GetAbortExecute() == 0;
-#endif
+    return ShouldContinue(this->Filter);
   }
 
   vtkAlgorithm& Filter;

@@ -13,11 +13,21 @@
 #include "vtkDataArray.h"
 
 #include <cstdint>
+#include <limits>
 
 class vtkFieldData;
 
 namespace bonedecimate
 {
+/// A number of an array as an integer; the lowest of its type if it is none of that type.
+template <typename Integer>
+Integer ToWhole(double value)
+{
+  constexpr auto lowest = std::numeric_limits<Integer>::min();
+  constexpr auto end = -static_cast<double>(lowest);
+  return value >= static_cast<double>(lowest) && value < end ? static_cast<Integer>(value) : lowest;
+}
+
 /// Label in an array of any type. It is exact for integers of 64 bits, unlike a double above 2^53.
 inline std::int64_t LabelIn(vtkDataArray* array, vtkIdType tuple, int component)
 {
@@ -29,7 +39,7 @@ inline std::int64_t LabelIn(vtkDataArray* array, vtkIdType tuple, int component)
   {
     return exact->GetTypedComponent(tuple, component);
   }
-  return static_cast<std::int64_t>(array->GetComponent(tuple, component));
+  return ToWhole<std::int64_t>(array->GetComponent(tuple, component));
 }
 
 /// Brings LabelNames and LabelColors of the image, which are in the order of its LabelValues, into

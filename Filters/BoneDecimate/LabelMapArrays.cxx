@@ -166,7 +166,7 @@ private:
       grid.Origin[axis] = origin->GetComponent(0, axis);
       grid.Spacing[axis] = spacing->GetComponent(0, axis);
       grid.Dimensions[static_cast<std::size_t>(axis)] =
-        static_cast<Index>(dimensions->GetComponent(0, axis));
+        ToWhole<Index>(dimensions->GetComponent(0, axis));
       for (int k = 0; k < 3; ++k)
       {
         grid.Direction(axis, k) = direction->GetComponent(0, 3 * axis + k);
@@ -272,9 +272,9 @@ private:
       this->Find(this->Input->GetPointData(), GridPointName, 3, this->Input->GetNumberOfPoints());
     for (vtkIdType p = 0; points && p < points->GetNumberOfTuples(); ++p)
     {
-      this->Source.OfPoint.push_back({ static_cast<std::int32_t>(points->GetComponent(p, 0)),
-        static_cast<std::int32_t>(points->GetComponent(p, 1)),
-        static_cast<std::int32_t>(points->GetComponent(p, 2)) });
+      this->Source.OfPoint.push_back({ ToWhole<std::int32_t>(points->GetComponent(p, 0)),
+        ToWhole<std::int32_t>(points->GetComponent(p, 1)),
+        ToWhole<std::int32_t>(points->GetComponent(p, 2)) });
     }
   }
 

@@ -21,6 +21,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <type_traits>
 #include <utility>
@@ -160,7 +161,7 @@ void vtkBoneDecimate::Internals::ProveContinuedPart(const RunInput& read, Result
   const Surface& original = this->Part->Original.Surface;
   const Surface& before = read.Converted.Surface;
   ContinuedProof found = ProveContinued({ original, original, before, result.Surface }, options,
-    true, [this](double) { return !this->Filter->GetAbortExecute(); });
+    true, [this](double) { return bonedecimate::ShouldContinue(*this->Filter); });
   report.Proof.WasMade = true;
   report.Proof.Status = found.Status;
   report.Proof.Tolerance = options.MaximumError;
@@ -211,9 +212,8 @@ std::vector<double> vtkBoneDecimate::Internals::SmoothPoints(vtkPolyData* whole)
   const Options options =
     this->Filter->State->Options.WithoutPruning(); // FindPrunedCells() was before
   FilterProgress progress(*this->Filter, "Smoothing the surface");
-  const SmoothedInput smoothed = SmoothOnly(
-    read.Converted.Surface, options,
-    [&](double fraction) { return this->ShouldContinue(progress, fraction); }, read.Inputs);
+  const SmoothedInput smoothed =
+    SmoothOnly(read.Converted.Surface, options, std::ref(progress), read.Inputs);
   this->Filter->State->Report.Smoothing = smoothed.Report.Smoothing;
   const std::string problem = InputMessage(smoothed.Report);
   if (!problem.empty())

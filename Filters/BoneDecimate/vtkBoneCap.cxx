@@ -83,6 +83,7 @@ void Append(const bonedecimate::CapsOfSurface& caps,
   isCap->SetNumberOfValues(before);
   isCap->Fill(0);
   vtkCellData* data = output->GetCellData();
+  data->Initialize(); // what is copied gets arrays of its own
   data->CopyAllOn();
   data->CopyAllocate(input->GetCellData(), before);
   data->CopyData(input->GetCellData(), 0, before, 0);
@@ -111,6 +112,7 @@ void AppendPoints(const bonedecimate::CapsOfSurface& caps, vtkPolyData* input, v
   points->SetDataType(input->GetPoints()->GetDataType());
   points->DeepCopy(input->GetPoints());
   vtkPointData* data = output->GetPointData();
+  data->Initialize();
   data->CopyAllOn();
   data->CopyAllocate(input->GetPointData(), before);
   data->CopyData(input->GetPointData(), 0, before, 0);
@@ -154,9 +156,42 @@ void vtkBoneCap::SetPlaneTolerance(double tolerance)
 }
 
 //------------------------------------------------------------------------------
+/// Before the first run, and after an update that did not get here, nothing.
+vtkBoneCap::Results vtkBoneCap::Last() const
+{
+  return this->IsOutdated() ? Results() : this->Found;
+}
+
+vtkIdType vtkBoneCap::GetNumberOfCaps() const
+{
+  return this->Last().Caps;
+}
+
+vtkIdType vtkBoneCap::GetNumberOfCapTriangles() const
+{
+  return this->Last().Triangles;
+}
+
+double vtkBoneCap::GetCapArea() const
+{
+  return this->Last().Area;
+}
+
+vtkIdType vtkBoneCap::GetNumberOfClosedLoops() const
+{
+  return this->Last().ClosedLoops;
+}
+
+vtkIdType vtkBoneCap::GetNumberOfOpenLoops() const
+{
+  return this->Last().OpenLoops;
+}
+
+//------------------------------------------------------------------------------
 int vtkBoneCap::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->Found = {};
   if (this->ReportRejectedValues())
   {
     return 0;
@@ -170,11 +205,8 @@ int vtkBoneCap::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationV
   const bonedecimate::ConvertedSurface converted = bonedecimate::ToSurface(input, 1);
   const bonedecimate::CapsOfSurface caps = bonedecimate::CloseBoundaries(
     converted.Surface, { this->Loops == AllLoops, this->PlaneTolerance }, Triangulate);
-  this->NumberOfCaps = caps.NumberOfCaps;
-  this->NumberOfClosedLoops = caps.ClosedLoops;
-  this->NumberOfOpenLoops = caps.OpenLoops;
-  this->NumberOfCapTriangles = static_cast<vtkIdType>(caps.Triangles.size());
-  this->CapArea = caps.Area;
+  this->Found = { caps.NumberOfCaps, static_cast<vtkIdType>(caps.Triangles.size()), caps.Area,
+    caps.ClosedLoops, caps.OpenLoops };
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   Append(caps, converted, input, output);
   AppendPoints(caps, input, output);
@@ -187,9 +219,9 @@ void vtkBoneCap::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Loops: " << this->Loops << "\n";
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << "\n";
-  os << indent << "NumberOfCaps: " << this->NumberOfCaps << "\n";
-  os << indent << "NumberOfCapTriangles: " << this->NumberOfCapTriangles << "\n";
-  os << indent << "CapArea: " << this->CapArea << "\n";
-  os << indent << "NumberOfClosedLoops: " << this->NumberOfClosedLoops << "\n";
-  os << indent << "NumberOfOpenLoops: " << this->NumberOfOpenLoops << "\n";
+  os << indent << "NumberOfCaps: " << this->GetNumberOfCaps() << "\n";
+  os << indent << "NumberOfCapTriangles: " << this->GetNumberOfCapTriangles() << "\n";
+  os << indent << "CapArea: " << this->GetCapArea() << "\n";
+  os << indent << "NumberOfClosedLoops: " << this->GetNumberOfClosedLoops() << "\n";
+  os << indent << "NumberOfOpenLoops: " << this->GetNumberOfOpenLoops() << "\n";
 }

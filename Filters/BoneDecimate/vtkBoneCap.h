@@ -64,13 +64,14 @@ public:
   ///@{
   /**
    * Results of the last update: number of caps, of their triangles, their area in mm^2, the number
-   * of loops that they close, and of boundary loops that stay open.
+   * of loops that they close, and of boundary loops that stay open. 0 before the first update and
+   * after one that failed.
    */
-  vtkGetMacro(NumberOfCaps, vtkIdType);
-  vtkGetMacro(NumberOfCapTriangles, vtkIdType);
-  vtkGetMacro(CapArea, double);
-  vtkGetMacro(NumberOfClosedLoops, vtkIdType);
-  vtkGetMacro(NumberOfOpenLoops, vtkIdType);
+  vtkIdType GetNumberOfCaps() const;
+  vtkIdType GetNumberOfCapTriangles() const;
+  double GetCapArea() const;
+  vtkIdType GetNumberOfClosedLoops() const;
+  vtkIdType GetNumberOfOpenLoops() const;
   ///@}
 
 protected:
@@ -83,13 +84,20 @@ private:
   vtkBoneCap(const vtkBoneCap&) = delete;
   void operator=(const vtkBoneCap&) = delete;
 
+  struct Results
+  {
+    vtkIdType Caps = 0;
+    vtkIdType Triangles = 0;
+    double Area = 0.0; // mm^2
+    vtkIdType ClosedLoops = 0;
+    vtkIdType OpenLoops = 0;
+  };
+
+  Results Last() const;
+
   int Loops = PlanarLoops;
-  double PlaneTolerance = 0.01;
-  vtkIdType NumberOfCaps = 0;
-  vtkIdType NumberOfCapTriangles = 0;
-  double CapArea = 0.0;
-  vtkIdType NumberOfClosedLoops = 0;
-  vtkIdType NumberOfOpenLoops = 0;
+  double PlaneTolerance = 0.01; // mm
+  Results Found;                // by the last run
 };
 
 #endif

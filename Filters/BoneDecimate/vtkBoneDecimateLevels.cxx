@@ -34,6 +34,7 @@ vtkStandardNewMacro(vtkBoneDecimateLevels);
 struct vtkBoneDecimateLevels::Internals
 {
   bonedecimate::Levels Levels;
+  bonedecimate::Report Report;       // of the run that was recorded
   vtkWeakPointer<vtkPolyData> Input; // what they are of, as it was then
   vtkMTimeType InputTime = 0;
   vtkWeakPointer<vtkImageData> Map; // null: none
@@ -51,7 +52,9 @@ struct vtkBoneDecimateLevels::Internals
   {
     bonedecimate::RunInputs inputs = this->Arrays.Inputs();
     inputs.LabelMap = this->LabelMap.Known();
-    inputs.Reference = this->Reference != nullptr ? &this->ReferenceSurface.Surface : nullptr;
+    const bool isThere = this->Reference != nullptr;
+    inputs.Reference = isThere ? &this->ReferenceSurface.Surface : nullptr;
+    inputs.LeftOut = isThere ? &this->ReferenceSurface.LeftOut : inputs.LeftOut;
     return inputs;
   }
 
@@ -205,6 +208,7 @@ int vtkBoneDecimateLevels::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
+  this->State->Keep(this->Internal->Report);
   return !this->Internal->Levels.IsOpen() ||
       this->Fill(input, vtkPolyData::GetData(inputVector[1]), output)
     ? 1
@@ -228,7 +232,7 @@ bool vtkBoneDecimateLevels::Prepare(
   }
   mine.Levels = bonedecimate::Levels();
   mine.Written = nullptr;
-  this->State->Keep(bonedecimate::Report());
+  mine.Report = bonedecimate::Report();
   mine.Input = input;
   mine.InputTime = input->GetMTime();
   mine.Map = request.Map;
@@ -306,11 +310,12 @@ bool vtkBoneDecimateLevels::Record()
   Internals& mine = *this->Internal;
   const bonedecimate::ConvertedSurface& converted = mine.Arrays.Converted;
   this->Warn(converted.Warnings);
+  this->Warn(mine.ReferenceSurface.Warnings);
   bonedecimate::FilterProgress progress(*this, "Recording levels");
   bonedecimate::Result run = bonedecimate::RecordLevels(
     converted.Surface, this->State->Options, std::ref(progress), mine.Inputs(), mine.Levels);
   this->Warn(mine.LabelMap.CompareWithMap(converted.Surface, this->State->Options, run));
-  this->State->Keep(run.Report);
+  mine.Report = run.Report;
   const bonedecimate::InputStatus status = run.Report.Status;
   if (status == bonedecimate::InputStatus::NoTriangles)
   {

@@ -121,7 +121,6 @@ protected:
   vtkBoneDecimateLevels();
   ~vtkBoneDecimateLevels() override;
 
-  void ForgetReport() override {} // it belongs to the levels, which serve several updates
   void OptionChanged(const std::string& name) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -17,6 +17,7 @@
 
 struct vtkBoneDiagnostics::Internals
 {
+  bool WasRun = false;
   std::vector<bonedecimate::Diagnostic> Diagnostics;
   std::vector<bonedecimate::LeftOutShape> LeftOut;
 
@@ -54,58 +55,68 @@ vtkBoneDiagnostics::vtkBoneDiagnostics()
 vtkBoneDiagnostics::~vtkBoneDiagnostics() = default;
 
 //------------------------------------------------------------------------------
+/// Before the first run, and after an update that did not get here, nothing.
+const vtkBoneDiagnostics::Internals& vtkBoneDiagnostics::Last() const
+{
+  static const Internals none;
+  return this->IsOutdated() ? none : *this->Internal;
+}
+
 int vtkBoneDiagnostics::GetNumberOfDiagnostics() const
 {
-  return static_cast<int>(this->Internal->Diagnostics.size());
+  return static_cast<int>(this->Last().Diagnostics.size());
 }
 
 bool vtkBoneDiagnostics::IsUsable() const
 {
-  return std::none_of(this->Internal->Diagnostics.begin(), this->Internal->Diagnostics.end(),
-    [](const bonedecimate::Diagnostic& diagnostic)
-    { return bonedecimate::InfoOf(diagnostic.Kind).Severity == bonedecimate::Severity::Rejected; });
+  const Internals& last = this->Last();
+  return last.WasRun &&
+    std::none_of(last.Diagnostics.begin(), last.Diagnostics.end(),
+      [](const bonedecimate::Diagnostic& diagnostic) {
+        return bonedecimate::InfoOf(diagnostic.Kind).Severity == bonedecimate::Severity::Rejected;
+      });
 }
 
 std::string vtkBoneDiagnostics::GetWord(int diagnostic) const
 {
-  return this->Internal->InfoAt(diagnostic).Word;
+  return this->Last().InfoAt(diagnostic).Word;
 }
 
 std::string vtkBoneDiagnostics::GetSentence(int diagnostic) const
 {
-  const bonedecimate::Diagnostic* found = this->Internal->At(diagnostic);
+  const bonedecimate::Diagnostic* found = this->Last().At(diagnostic);
   return found ? bonedecimate::DiagnosticSentence(*found) : std::string();
 }
 
 std::string vtkBoneDiagnostics::GetSeverity(int diagnostic) const
 {
-  return this->Internal->At(diagnostic)
-    ? bonedecimate::SeverityWord(this->Internal->InfoAt(diagnostic).Severity)
+  return this->Last().At(diagnostic)
+    ? bonedecimate::SeverityWord(this->Last().InfoAt(diagnostic).Severity)
     : "";
 }
 
 vtkIdType vtkBoneDiagnostics::GetCount(int diagnostic) const
 {
-  const bonedecimate::Diagnostic* found = this->Internal->At(diagnostic);
+  const bonedecimate::Diagnostic* found = this->Last().At(diagnostic);
   return found ? found->Count : 0;
 }
 
 double vtkBoneDiagnostics::GetLength(int diagnostic) const
 {
-  const bonedecimate::Diagnostic* found = this->Internal->At(diagnostic);
+  const bonedecimate::Diagnostic* found = this->Last().At(diagnostic);
   return found ? found->Length : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string vtkBoneDiagnostics::GetIdsOf(int diagnostic) const
 {
-  const std::string of = this->Internal->InfoAt(diagnostic).IdKind;
+  const std::string of = this->Last().InfoAt(diagnostic).IdKind;
   return of == "triangle" ? "cell" : of;
 }
 
 void vtkBoneDiagnostics::GetFirstIds(int diagnostic, vtkIdList* ids) const
 {
   ids->Reset();
-  const bonedecimate::Diagnostic* found = this->Internal->At(diagnostic);
+  const bonedecimate::Diagnostic* found = this->Last().At(diagnostic);
   if (found)
   {
     std::for_each(found->First.begin(), found->First.end(),
@@ -116,22 +127,22 @@ void vtkBoneDiagnostics::GetFirstIds(int diagnostic, vtkIdList* ids) const
 //------------------------------------------------------------------------------
 int vtkBoneDiagnostics::GetNumberOfLeftOut() const
 {
-  return static_cast<int>(this->Internal->LeftOut.size());
+  return static_cast<int>(this->Last().LeftOut.size());
 }
 
 std::string vtkBoneDiagnostics::GetLeftOutKind(int entry) const
 {
-  return this->Internal->LeftOutAt(entry).Kind;
+  return this->Last().LeftOutAt(entry).Kind;
 }
 
 vtkIdType vtkBoneDiagnostics::GetLeftOutCount(int entry) const
 {
-  return this->Internal->LeftOutAt(entry).Count;
+  return this->Last().LeftOutAt(entry).Count;
 }
 
 std::string vtkBoneDiagnostics::GetLeftOutSentence(int entry) const
 {
-  const bonedecimate::LeftOut& found = this->Internal->LeftOutAt(entry);
+  const bonedecimate::LeftOut& found = this->Last().LeftOutAt(entry);
   return found.Count > 0 ? found.Sentence() : std::string();
 }
 
@@ -145,6 +156,7 @@ void vtkBoneDiagnostics::SetNumberOfThreads(int threads)
 int vtkBoneDiagnostics::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  *this->Internal = {};
   if (this->ReportRejectedValues())
   {
     return 0;
@@ -158,6 +170,7 @@ int vtkBoneDiagnostics::RequestData(vtkInformation* vtkNotUsed(request),
     bonedecimate::NameCells(converted, diagnostic);
   }
   this->Internal->LeftOut = converted.LeftOut;
+  this->Internal->WasRun = true;
   for (const std::string& warning : converted.Warnings)
   {
     vtkWarningMacro(<< warning);

@@ -32,13 +32,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Number of diagnostics of the last update. Diagnostics are numbered from 0; for other numbers
-   * the getters return an empty text, 0 or NaN.
+   * Number of diagnostics of the last update; 0 after one that failed. Diagnostics are numbered
+   * from 0; for other numbers the getters return an empty text, 0 or NaN.
    */
   int GetNumberOfDiagnostics() const;
 
   /**
-   * Whether vtkBoneDecimate accepts the surface: nothing was found that it rejects.
+   * Whether vtkBoneDecimate accepts the surface: nothing was found that it rejects. False before
+   * the first update and after one that failed.
    */
   bool IsUsable() const;
 
@@ -112,6 +113,8 @@ private:
   void operator=(const vtkBoneDiagnostics&) = delete;
 
   struct Internals;
+
+  const Internals& Last() const;
 
   int NumberOfThreads = 0;
   std::unique_ptr<Internals> Internal;

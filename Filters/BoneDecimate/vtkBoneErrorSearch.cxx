@@ -177,6 +177,11 @@ double vtkBoneErrorSearch::GetSmallestError() const
   return this->IsOutdated() ? std::numeric_limits<double>::quiet_NaN() : this->SmallestError;
 }
 
+double vtkBoneErrorSearch::GetErrorTriedInVain() const
+{
+  return this->IsOutdated() ? 0.0 : this->ErrorTriedInVain;
+}
+
 //------------------------------------------------------------------------------
 void vtkBoneErrorSearch::ForgetReport()
 {
@@ -206,12 +211,13 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* first = vtkPolyData::GetData(inputVector[1]);
   if (this->Errors.empty() && this->GetTargetNumberOfTriangles() == 0)
   {
     vtkErrorMacro(<< "there is neither a number of triangles nor an error");
     return 0;
   }
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   bonedecimate::ErrorSearchOptions options;
   options.Run = this->State->Options;
   options.RelativePrecision = this->RelativePrecision;
@@ -227,13 +233,9 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   options.Inputs = arrays.Inputs();
   options.Inputs.WantsOrigins = arrays.Labels.has_value();
   options.Inputs.LabelMap = map.Known();
-  const bonedecimate::ConvertedSurface reference =
-    ReferenceOf(vtkPolyData::GetData(inputVector[1]));
-  if (vtkPolyData::GetData(inputVector[1]) != nullptr)
-  {
-    options.Inputs.Reference = &reference.Surface;
-    options.Inputs.LeftOut = &reference.LeftOut;
-  }
+  const bonedecimate::ConvertedSurface reference = ReferenceOf(first);
+  options.Inputs.Reference = first != nullptr ? &reference.Surface : nullptr;
+  options.Inputs.LeftOut = first != nullptr ? &reference.LeftOut : options.Inputs.LeftOut;
   bonedecimate::FilterProgress progress(*this, "Searching for the smallest error");
   bonedecimate::ErrorSearchResult found = this->Errors.empty()
     ? bonedecimate::FindSmallestError(converted.Surface, options, std::ref(progress))
@@ -247,6 +249,7 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   this->Warn(converted.Warnings);
+  this->Warn(reference.Warnings);
   this->Warn(bonedecimate::ArrayWarnings(input, options.Run));
   this->Warn(
     bonedecimate::RunWarnings(converted.Surface, found.Found.Report, options.Run.NumberOfThreads));
@@ -254,8 +257,8 @@ int vtkBoneErrorSearch::RequestData(vtkInformation* vtkNotUsed(request),
   this->SmallestError = found.Best < 0 ? std::numeric_limits<double>::quiet_NaN()
                                        : found.Trials[static_cast<std::size_t>(found.Best)].Proved;
   this->ErrorTriedInVain = found.MaxFailedError;
-  FillSurface(
-    found.Found, converted, options.Run, map, input, vtkPolyData::GetData(outputVector, 0));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  FillSurface(found.Found, converted, options.Run, map, input, output);
   FillTable(found.Trials, vtkTable::GetData(outputVector, 1));
   return 1;
 }

@@ -86,9 +86,10 @@ public:
   double GetSmallestError() const;
 
   /**
-   * The largest error below it with which no run had so few triangles, mm; 0 if there is none.
+   * The largest error below it with which no run had so few triangles, mm; 0 if there is none, and
+   * after an update that failed.
    */
-  double GetErrorTriedInVain() const { return this->ErrorTriedInVain; }
+  double GetErrorTriedInVain() const;
 
   /**
    * The runs, as on output port 1.

@@ -199,7 +199,15 @@ int vtkBoneLabelPieces::RequestData(vtkInformation* vtkNotUsed(request),
   vtkDataSetAttributes* attributes = output->GetAttributes(
     association == vtkDataObject::FIELD_ASSOCIATION_CELLS ? vtkDataObject::CELL
                                                           : vtkDataObject::POINT);
-  attributes->SetScalars(changed);
+  if (changed->GetName() == nullptr)
+  {
+    attributes->SetScalars(changed); // in place of the labels
+  }
+  else
+  {
+    attributes->AddArray(changed); // beside what was active, a CT
+    attributes->SetActiveScalars(changed->GetName());
+  }
   this->ErrorCode = 0;
   return 1;
 }

@@ -110,8 +110,6 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   Result result = Decimate(converted.Surface, options, std::ref(progress), inputs);
   std::vector<std::string> warnings = map.CompareWithMap(converted.Surface, options, result);
   warnings.insert(warnings.end(), converted.Warnings.begin(), converted.Warnings.end());
-  const std::vector<std::string> renamed = ArrayWarnings(input, options);
-  warnings.insert(warnings.end(), renamed.begin(), renamed.end());
   this->State->Keep(result.Report);
   const std::vector<std::string> ofRun =
     RunWarnings(converted.Surface, result.Report, options.NumberOfThreads);
@@ -120,6 +118,7 @@ int vtkBoneSmooth::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 0;
   }
+  this->Warn(ArrayWarnings(input, options));
   FillOutput(result, converted, options, options.WritesSingle(converted.IsSingle), input,
     vtkPolyData::GetData(outputVector, 0));
   if (map.Known() != nullptr)

@@ -9,7 +9,6 @@
 #include "RejectedValues.h"
 #include "Run/Input/Tolerances.h"
 #include "Run/Output/ComparedSurface.h"
-#include "Run/Output/ListLeftOut.h"
 #include "Run/Report/CertificateTable.h"
 #include "Run/Report/PairWarnings.h"
 #include "Run/Report/ReportJson.h"
@@ -38,9 +37,6 @@ constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
 //------------------------------------------------------------------------------
 struct vtkBoneSurfaceDistance::Internals
 {
-  std::string ToleranceArrayName;
-  std::string SignedDistanceArrayName = "SignedDistance";
-  std::string SideArrayName = "Side";
   bonedecimate::CertificateOptions Options;
   bonedecimate::Certificate Result;
   bonedecimate::NamedEntries Entries{ {} };
@@ -87,29 +83,7 @@ vtkBoneSurfaceDistance::vtkBoneSurfaceDistance()
 vtkBoneSurfaceDistance::~vtkBoneSurfaceDistance() = default;
 
 //------------------------------------------------------------------------------
-#define vtkBoneSurfaceDistanceName(name)                                                           \
-  void vtkBoneSurfaceDistance::Set##name(const std::string& value)                                 \
-  {                                                                                                \
-    if (this->Internal->name != value)                                                             \
-    {                                                                                              \
-      this->Internal->name = value;                                                                \
-      this->Modified();                                                                            \
-    }                                                                                              \
-  }                                                                                                \
-  std::string vtkBoneSurfaceDistance::Get##name() const                                            \
-  {                                                                                                \
-    return this->Internal->name;                                                                   \
-  }
-
-// clang-format off
-vtkBoneSurfaceDistanceName(ToleranceArrayName)
-vtkBoneSurfaceDistanceName(SignedDistanceArrayName)
-vtkBoneSurfaceDistanceName(SideArrayName)
-// clang-format on
-#undef vtkBoneSurfaceDistanceName
-
-  //------------------------------------------------------------------------------
-  void vtkBoneSurfaceDistance::SetTolerance(double millimeters)
+void vtkBoneSurfaceDistance::SetTolerance(double millimeters)
 {
   this->Rejected().SetNumber(
     this, "Tolerance", { 0.0, bonedecimate::MaxNumber, false, "mm" }, millimeters, this->Tolerance);
@@ -246,7 +220,7 @@ bool vtkBoneSurfaceDistance::TakeTolerances(vtkPolyData* reference)
   {
     options.Tolerance = this->Tolerance;
   }
-  const std::string& name = this->Internal->ToleranceArrayName;
+  const std::string& name = this->ToleranceArrayName;
   if (name.empty())
   {
     return true;
@@ -287,7 +261,7 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   options.WithBoundaries = this->MeasureBoundaries;
   options.WithMeans = this->MeasureMeans;
   options.MeanPrecision = this->MeanPrecision;
-  options.WithPointDistances = !this->Internal->SignedDistanceArrayName.empty();
+  options.WithPointDistances = !this->SignedDistanceArrayName.empty();
   options.NumberOfThreads = this->NumberOfThreads;
   options.OnBounds = nullptr;
   if (this->FollowBounds)
@@ -300,22 +274,13 @@ bool vtkBoneSurfaceDistance::Compare(vtkPolyData* reference, vtkPolyData* result
   }
   bonedecimate::Certificate& certificate = this->Internal->Result;
   bonedecimate::FilterProgress progress(*this, "Proving the distance");
-  const bonedecimate::Monitor monitor = std::ref(progress);
-  const double certified = this->MeasureSurfaces ? 0.8 : 1.0;
-  certificate = bonedecimate::Certify(
-    one.Surface, two.Surface, options, bonedecimate::PartOf(monitor, 0.0, certified));
+  bonedecimate::PairFigures figures;
+  certificate = bonedecimate::CertifyPair({ one.Surface, one.LeftOut },
+    { two.Surface, two.LeftOut }, options, this->MeasureSurfaces, std::ref(progress), figures);
   NameCells(one, two, certificate.ReferenceToResult);
   NameCells(two, one, certificate.ResultToReference);
   NameCells(one, two, certificate.BoundaryOfReferenceToResult);
   NameCells(two, one, certificate.BoundaryOfResultToReference);
-  bonedecimate::PairFigures figures;
-  figures.LeftOut = bonedecimate::LeftOutOfPair(
-    one.LeftOut, one.Surface, two.LeftOut, two.Surface, this->NumberOfThreads);
-  if (this->MeasureSurfaces)
-  {
-    bonedecimate::DescribePair(one.Surface, two.Surface, this->NumberOfThreads,
-      bonedecimate::PartOf(monitor, certified, 1.0), certificate, figures);
-  }
   this->Warn("", bonedecimate::PairWarnings(figures));
   this->Internal->Take(bonedecimate::CertificateEntries(certificate, figures));
   return this->Accept(static_cast<int>(certificate.Status));
@@ -351,17 +316,19 @@ void vtkBoneSurfaceDistance::FillOutput(vtkPolyData* input, vtkPolyData* output,
   if (!points.Distance.empty())
   {
     vtkNew<vtkDoubleArray> distances;
-    distances->SetName(this->Internal->SignedDistanceArrayName.c_str());
+    distances->SetName(this->SignedDistanceArrayName.c_str());
     distances->SetComponentName(0, "mm");
     vtkNew<vtkSignedCharArray> sides;
-    sides->SetName(this->Internal->SideArrayName.c_str());
+    sides->SetName(this->SideArrayName.c_str());
     for (std::size_t i = 0; i < points.Distance.size(); ++i)
     {
       distances->InsertNextValue(points.Side[i] < 0 ? -points.Distance[i] : points.Distance[i]);
       sides->InsertNextValue(points.Side[i]);
     }
-    output->GetPointData()->SetScalars(distances); // what a view colors by
-    output->GetPointData()->AddArray(sides);
+    vtkPointData* data = output->GetPointData();
+    data->AddArray(distances);
+    data->SetActiveScalars(distances->GetName()); // what a view colors by
+    data->AddArray(sides);
   }
   bonedecimate::SetReport(
     this->Internal->Entries.All(), bonedecimate::ArraysOfCertificate(), output->GetFieldData());
@@ -372,7 +339,7 @@ void vtkBoneSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << " mm\n";
-  os << indent << "ToleranceArrayName: " << this->Internal->ToleranceArrayName << "\n";
+  os << indent << "ToleranceArrayName: " << this->ToleranceArrayName << "\n";
   os << indent << "TightBounds: " << this->TightBounds << "\n";
   os << indent << "RelativeGap: " << this->RelativeGap << "\n";
   os << indent << "MeasureBoundaries: " << this->MeasureBoundaries << "\n";
@@ -381,7 +348,7 @@ void vtkBoneSurfaceDistance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FollowBounds: " << this->FollowBounds << "\n";
   os << indent << "MeanPrecision: " << this->MeanPrecision << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "SignedDistanceArrayName: " << this->Internal->SignedDistanceArrayName << "\n";
-  os << indent << "SideArrayName: " << this->Internal->SideArrayName << "\n";
+  os << indent << "SignedDistanceArrayName: " << this->SignedDistanceArrayName << "\n";
+  os << indent << "SideArrayName: " << this->SideArrayName << "\n";
   os << indent << "Status: " << this->GetStatusAsString() << "\n";
 }

@@ -49,7 +49,7 @@ public:
   /// Whether the tolerance is kept.
   enum Status
   {
-    NOT_ASKED = 0,
+    NOT_REQUESTED = 0,
     PROVED,
     VIOLATED,
     UNDECIDED
@@ -72,8 +72,8 @@ public:
    * set, caps it. In the other direction a triangle of the reference counts with the least of its
    * corners. Empty, the default, is none.
    */
-  void SetToleranceArrayName(const std::string& name);
-  std::string GetToleranceArrayName() const;
+  vtkSetMacro(ToleranceArrayName, std::string);
+  vtkGetMacro(ToleranceArrayName, std::string);
   ///@}
 
   ///@{
@@ -157,16 +157,16 @@ public:
    * Name of the array of the signed distances, mm. Default "SignedDistance". Empty: neither
    * distances nor sides of points are computed, which takes less time.
    */
-  void SetSignedDistanceArrayName(const std::string& name);
-  std::string GetSignedDistanceArrayName() const;
+  vtkSetMacro(SignedDistanceArrayName, std::string);
+  vtkGetMacro(SignedDistanceArrayName, std::string);
   ///@}
 
   ///@{
   /**
    * Name of the array of the sides. Default "Side".
    */
-  void SetSideArrayName(const std::string& name);
-  std::string GetSideArrayName() const;
+  vtkSetMacro(SideArrayName, std::string);
+  vtkGetMacro(SideArrayName, std::string);
   ///@}
 
   /**
@@ -259,6 +259,9 @@ private:
   bool FollowBounds = false;
   double MeanPrecision = 5e-3;
   int NumberOfThreads = 0;
+  std::string ToleranceArrayName;
+  std::string SignedDistanceArrayName = "SignedDistance";
+  std::string SideArrayName = "Side";
   std::unique_ptr<Internals> Internal;
 };
 

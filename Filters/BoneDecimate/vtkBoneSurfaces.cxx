@@ -242,7 +242,7 @@ std::string vtkBoneSurfaces::GetModelGrid() const
 
 std::string vtkBoneSurfaces::GetModelGridFound() const
 {
-  return this->Internal->ModelGridFound;
+  return this->IsOutdated() ? std::string() : this->Internal->ModelGridFound;
 }
 
 //------------------------------------------------------------------------------
@@ -340,7 +340,11 @@ bool vtkBoneSurfaces::ExtractLabel(vtkPolyData* surfaces, vtkTypeInt64 label, vt
   const bonedecimate::ReadLabelMap read = bonedecimate::ReadLabelMapArrays(surfaces, converted);
   const std::vector<std::int64_t>& values = read.Source.Values;
   const auto index = std::find(values.begin(), values.end(), label);
-  if (!read.Problem.empty() || read.Source.OfTriangle.empty() || index == values.end())
+  const auto hasWrongId = [](const bonedecimate::Triangle& corners)
+  { return std::count(corners.begin(), corners.end(), bonedecimate::None) > 0; };
+  const std::vector<bonedecimate::Triangle>& triangles = converted.Surface.Triangles;
+  if (!read.Problem.empty() || read.Source.OfTriangle.empty() || index == values.end() ||
+    std::any_of(triangles.begin(), triangles.end(), hasWrongId))
   {
     return false;
   }

@@ -137,7 +137,7 @@ public:
    * data and cell data are copied. The output is a surface of this label and the background alone,
    * so BoundaryLabels and LabelValues have these two; the cell array OtherLabel has the label on
    * the other side of each triangle. Returns false, with an empty output, if there is no array
-   * BoundaryLabels or no triangle of the label.
+   * BoundaryLabels, no triangle of the label, or a point id out of range.
    */
   static bool ExtractLabel(vtkPolyData* surfaces, vtkTypeInt64 label, vtkPolyData* output);
 

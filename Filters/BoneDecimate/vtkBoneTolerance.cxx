@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkBoneTolerance.h"
 
+#include "CellVisits.h"
 #include "NamedArrays.h"
 #include "PointChoice.h"
 #include "RejectedValues.h"
@@ -31,8 +32,6 @@ vtkCxxSetObjectMacro(vtkBoneTolerance, ImplicitFunction, vtkImplicitFunction);
 //------------------------------------------------------------------------------
 struct vtkBoneTolerance::Internals
 {
-  std::string ChoiceArrayName = "Choice";
-  std::string ToleranceArrayName = "Tolerance";
   std::vector<int> Labels;
   bonedecimate::PointChoice Chosen; // of the run
 
@@ -72,9 +71,31 @@ double SmallerOf(double a, double b)
   return a < 0.0 ? b : b < 0.0 ? a : std::min(a, b);
 }
 
-vtkDataArray* OneComponent(vtkDataArray* array)
+/// Whether there is one number for each of `count` points or cells.
+bool HasOneForEach(vtkDataArray* array, vtkIdType count)
 {
-  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+  return array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == count;
+}
+
+/// The first cell with a point id out of range; -1 if there is none.
+vtkIdType FirstBadCell(vtkPolyData* surface)
+{
+  vtkIdType bad = -1;
+  vtkIdType firstCell = 0;
+  for (vtkCellArray* cells :
+    { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
+  {
+    const auto visit = [&](vtkIdType cell, vtkIdType npts, const vtkIdType* ids)
+    {
+      if (bad < 0 && bonedecimate::HasWrongId(npts, ids, surface->GetNumberOfPoints()))
+      {
+        bad = cell;
+      }
+    };
+    bonedecimate::VisitCells(cells, firstCell, visit);
+    firstCell += cells ? cells->GetNumberOfCells() : 0;
+  }
+  return bad;
 }
 }
 
@@ -90,28 +111,7 @@ vtkBoneTolerance::~vtkBoneTolerance()
 }
 
 //------------------------------------------------------------------------------
-#define vtkBoneToleranceName(name)                                                                 \
-  void vtkBoneTolerance::Set##name(const std::string& value)                                       \
-  {                                                                                                \
-    if (this->Internal->name != value)                                                             \
-    {                                                                                              \
-      this->Internal->name = value;                                                                \
-      this->Modified();                                                                            \
-    }                                                                                              \
-  }                                                                                                \
-  std::string vtkBoneTolerance::Get##name() const                                                  \
-  {                                                                                                \
-    return this->Internal->name;                                                                   \
-  }
-
-// clang-format off
-vtkBoneToleranceName(ChoiceArrayName)
-vtkBoneToleranceName(ToleranceArrayName)
-// clang-format on
-#undef vtkBoneToleranceName
-
-  //------------------------------------------------------------------------------
-  void vtkBoneTolerance::SetChoice(int choice)
+void vtkBoneTolerance::SetChoice(int choice)
 {
   this->Rejected().SetNumber(
     this, "Choice", { EVERYTHING, UNLIMITED, true, {} }, choice, this->Choice);
@@ -220,31 +220,40 @@ int vtkBoneTolerance::RequestData(vtkInformation* vtkNotUsed(request),
 /// What is missing; empty if nothing is.
 std::string vtkBoneTolerance::Problem(vtkPolyData* input, vtkDataObject* selection) const
 {
-  const std::string& name = this->Internal->ChoiceArrayName;
-  const std::string& result = this->Internal->ToleranceArrayName;
+  const std::string& name = this->ChoiceArrayName;
+  const std::string& result = this->ToleranceArrayName;
   if (this->Feather > 0.0 && (this->InsideTolerance < 0.0 || this->OutsideTolerance < 0.0))
   {
     return "a feather goes from one tolerance to another: neither may be negative (no limit)";
   }
+  if (const vtkIdType bad = FirstBadCell(input); bad >= 0)
+  {
+    return "cell " + std::to_string(bad) + " has a point id out of range";
+  }
+  const vtkIdType points = input->GetNumberOfPoints();
   if (input->GetPointData()->HasArray(result.c_str()))
   {
-    vtkDataArray* before = OneComponent(input->GetPointData()->GetArray(result.c_str()));
-    const vtkIdType bad = before ? FirstBadTolerance(before) : -1;
-    if (!before || bad >= 0)
+    vtkDataArray* before = input->GetPointData()->GetArray(result.c_str());
+    const bool suits = HasOneForEach(before, points);
+    const vtkIdType bad = suits ? FirstBadTolerance(before) : -1;
+    if (!suits || bad >= 0)
     {
       return "the point array '" + result + "' is there and " +
-        (before ? "its value of point " + std::to_string(bad) + " is NaN or beyond 1e30 mm"
-                : "has not one number for each point");
+        (suits ? "its value of point " + std::to_string(bad) + " is NaN or beyond 1e30 mm"
+               : "has not one number for each point");
     }
   }
-  if (this->Choice == POINT_ARRAY && !OneComponent(input->GetPointData()->GetArray(name.c_str())))
+  if (this->Choice == POINT_ARRAY &&
+    !HasOneForEach(input->GetPointData()->GetArray(name.c_str()), points))
   {
-    return bonedecimate::LackOfPointArray(input, " '" + name + "'");
+    return "the input has no point array '" + name + "' of one number for each point (there are: " +
+      bonedecimate::ListOfArrays(input->GetPointData()) + ")";
   }
-  if (this->Choice == CELL_ARRAY && !OneComponent(input->GetCellData()->GetArray(name.c_str())))
+  if (this->Choice == CELL_ARRAY &&
+    !HasOneForEach(input->GetCellData()->GetArray(name.c_str()), input->GetNumberOfCells()))
   {
-    return "the input has no cell array '" + name +
-      "' of one component (there are: " + bonedecimate::ListOfArrays(input->GetCellData()) + ")";
+    return "the input has no cell array '" + name + "' of one number for each cell (there are: " +
+      bonedecimate::ListOfArrays(input->GetCellData()) + ")";
   }
   if (this->Choice == SELECTION && !selection)
   {
@@ -261,7 +270,7 @@ bool vtkBoneTolerance::Choose(vtkPolyData* input, vtkDataObject* selection) cons
 {
   Internals& own = *this->Internal;
   const auto counts = [&own](double value) { return own.Counts(value); };
-  const char* name = own.ChoiceArrayName.c_str();
+  const char* name = this->ChoiceArrayName.c_str();
   switch (this->Choice)
   {
     case POINT_ARRAY:
@@ -294,8 +303,7 @@ bool vtkBoneTolerance::Choose(vtkPolyData* input, vtkDataObject* selection) cons
 //------------------------------------------------------------------------------
 void vtkBoneTolerance::ChooseUnlimited(vtkPolyData* input) const
 {
-  vtkDataArray* before =
-    input->GetPointData()->GetArray(this->Internal->ToleranceArrayName.c_str());
+  vtkDataArray* before = input->GetPointData()->GetArray(this->ToleranceArrayName.c_str());
   const bool all = before == nullptr;
   this->Internal->Chosen.assign(
     static_cast<std::size_t>(input->GetNumberOfPoints()), all != this->Inverted);
@@ -342,7 +350,7 @@ void vtkBoneTolerance::ChooseLines(vtkPolyData* input) const
 void vtkBoneTolerance::Lower(vtkPolyData* output) const
 {
   const bonedecimate::PointChoice& chosen = this->Internal->Chosen;
-  const std::string& name = this->Internal->ToleranceArrayName;
+  const std::string& name = this->ToleranceArrayName;
   vtkDataArray* before = output->GetPointData()->GetArray(name.c_str());
   std::vector<double> distances; // mm
   if (this->Feather > 0.0)
@@ -373,7 +381,7 @@ void vtkBoneTolerance::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Choice: " << this->Choice << "\n";
-  os << indent << "ChoiceArrayName: " << this->Internal->ChoiceArrayName << "\n";
+  os << indent << "ChoiceArrayName: " << this->ChoiceArrayName << "\n";
   os << indent << "Labels:";
   for (const int label : this->Internal->Labels)
   {
@@ -386,5 +394,5 @@ void vtkBoneTolerance::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InsideTolerance: " << this->InsideTolerance << " mm\n";
   os << indent << "OutsideTolerance: " << this->OutsideTolerance << " mm\n";
   os << indent << "Feather: " << this->Feather << " mm\n";
-  os << indent << "ToleranceArrayName: " << this->Internal->ToleranceArrayName << "\n";
+  os << indent << "ToleranceArrayName: " << this->ToleranceArrayName << "\n";
 }

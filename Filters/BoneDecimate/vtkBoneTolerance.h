@@ -19,8 +19,8 @@
  *
  * A value outside its range, NaN and infinity above all, is an error event when it is set: the
  * property keeps its value, and updates fail until it gets a valid one. A name without an array, a
- * choice without what it needs, NaN in the array of tolerances or from the implicit function: an
- * error, and no output.
+ * choice without what it needs, an array of another length, a cell with a point id out of range,
+ * NaN in the array of tolerances or from the implicit function: an error, and no output.
  *
  * @sa vtkBoneDecimate vtkBoneSurfaceDistance
  */
@@ -76,8 +76,8 @@ public:
    * Name of the array of POINT_ARRAY and CELL_ARRAY, of one component and any type of number.
    * Values that count are those of the labels or, without labels, all but 0. Default "Choice".
    */
-  void SetChoiceArrayName(const std::string& name);
-  std::string GetChoiceArrayName() const;
+  vtkSetMacro(ChoiceArrayName, std::string);
+  vtkGetMacro(ChoiceArrayName, std::string);
   ///@}
 
   /**
@@ -160,8 +160,8 @@ public:
    * Name of the point array of tolerances, mm. One of that name on the input is lowered. Default
    * "Tolerance".
    */
-  void SetToleranceArrayName(const std::string& name);
-  std::string GetToleranceArrayName() const;
+  vtkSetMacro(ToleranceArrayName, std::string);
+  vtkGetMacro(ToleranceArrayName, std::string);
   ///@}
 
   /**
@@ -196,6 +196,8 @@ private:
   double InsideTolerance = 0.0;   // mm
   double OutsideTolerance = -1.0; // mm
   double Feather = 0.0;           // mm
+  std::string ChoiceArrayName = "Choice";
+  std::string ToleranceArrayName = "Tolerance";
   std::unique_ptr<Internals> Internal;
 };
 

@@ -31,6 +31,7 @@
 struct vtkBoneVoxelCheck::Internals
 {
   bonedecimate::VoxelChanges Changes;
+  bool WasStopped = false;
   std::string ModelGridFound;
   bonedecimate::VoxelChanges ImageChanges; // besides those of the map of a network
   std::vector<std::int64_t> Values;
@@ -43,6 +44,19 @@ struct vtkBoneVoxelCheck::Internals
       : bonedecimate::LabelChanges();
   }
 };
+
+namespace
+{
+std::vector<std::int64_t> ValuesWithout(
+  const std::vector<std::int64_t>& values, const std::vector<std::int64_t>& others)
+{
+  std::vector<std::int64_t> rest;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(rest),
+    [&others](std::int64_t value)
+    { return std::find(others.begin(), others.end(), value) == others.end(); });
+  return rest;
+}
+}
 
 vtkStandardNewMacro(vtkBoneVoxelCheck);
 
@@ -73,6 +87,11 @@ const vtkBoneVoxelCheck::Internals& vtkBoneVoxelCheck::Last() const
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfComparedVoxels() const
 {
   return this->Last().Changes.Compared;
+}
+
+bool vtkBoneVoxelCheck::GetWasStopped() const
+{
+  return this->Last().WasStopped;
 }
 
 vtkTypeInt64 vtkBoneVoxelCheck::GetNumberOfChangedVoxels() const
@@ -160,11 +179,7 @@ int vtkBoneVoxelCheck::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
 int vtkBoneVoxelCheck::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  this->Internal->Changes = {};
-  this->Internal->ImageChanges = {};
-  this->Internal->ModelGridFound.clear();
-  this->Internal->Values.clear();
-  this->Internal->LeftOut.clear();
+  *this->Internal = {};
   if (this->ReportRejectedValues())
   {
     return 0;
@@ -257,10 +272,6 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
     return problem;
   }
   const std::vector<std::int64_t>& values = map.Source.Values;
-  std::copy_if(inImage.begin(), inImage.end(), std::back_inserter(this->Internal->LeftOut),
-    [&values](std::int64_t value)
-    { return std::find(values.begin(), values.end(), value) == values.end(); });
-  this->Internal->Values = values;
   bonedecimate::FilterProgress progress(*this, "Comparing voxels");
   const auto compare = [&](const bonedecimate::LabelImage& reference)
   {
@@ -269,10 +280,17 @@ std::string vtkBoneVoxelCheck::Compare(vtkPolyData* surface, vtkImageData* image
     return bonedecimate::CompareVoxels(reference, values,
       { converted.Surface, map.Source.OfTriangle }, settings, std::ref(progress));
   };
-  this->Internal->Changes = compare(labels.Image);
-  this->Internal->ModelGridFound = model.Sentence;
-  this->Internal->ImageChanges =
-    model.Sentence.empty() ? bonedecimate::VoxelChanges() : compare(ofImage.Image);
+  Internals counts;
+  counts.Changes = compare(labels.Image);
+  counts.ModelGridFound = model.Sentence;
+  const bool hasTwo = !model.Sentence.empty() && counts.Changes.IsDone;
+  counts.ImageChanges = hasTwo ? compare(ofImage.Image) : bonedecimate::VoxelChanges();
+  counts.LeftOut = ValuesWithout(inImage, values);
+  counts.Values = values;
+  // Counts of a part of the voxels say nothing.
+  const bool isDone = counts.Changes.IsDone && (!hasTwo || counts.ImageChanges.IsDone);
+  *this->Internal = isDone ? std::move(counts) : Internals();
+  this->Internal->WasStopped = !isDone;
   return {};
 }
 

@@ -82,6 +82,11 @@ public:
   vtkTypeInt64 GetNumberOfComparedVoxels() const;
 
   /**
+   * Whether the last update was aborted. There are then no counts.
+   */
+  bool GetWasStopped() const;
+
+  /**
    * How many voxels have another label in the surface than in the image.
    */
   vtkTypeInt64 GetNumberOfChangedVoxels() const;
@@ -103,8 +108,7 @@ public:
 
   /**
    * Indices of the first changed voxel along x, y and z, counted from the first voxel of the
-   * map;
-   * meaningless if none is changed.
+   * map; meaningless if none is changed.
    */
   void GetFirstChangedVoxel(int voxel[3]) const;
 

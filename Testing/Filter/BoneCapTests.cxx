@@ -232,3 +232,34 @@ TEST(BoneCap, RejectsValuesOutsideOfTheirRange)
   filter->SetPlaneTolerance(0.5);
   EXPECT_EQ(filter->GetRejectedValue("PlaneTolerance"), "");
 }
+
+TEST(BoneCap, HasNoFiguresAfterAnUpdateThatFailed)
+{
+  vtkNew<vtkBoneCap> filter;
+  filter->SetInputData(PolyData(Shaft()));
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfCaps(), 2);
+  vtkObject::GlobalWarningDisplayOff();
+  filter->SetPlaneTolerance(-1.0);
+  filter->Update();
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_EQ(filter->GetNumberOfCaps(), 0);
+  EXPECT_EQ(filter->GetNumberOfClosedLoops(), 0);
+  EXPECT_EQ(filter->GetCapArea(), 0.0);
+}
+
+TEST(BoneCap, CopiesArraysWithoutANameOnce)
+{
+  const vtkSmartPointer<vtkPolyData> input = PolyData(Shaft());
+  vtkNew<vtkDoubleArray> nameless;
+  nameless->SetNumberOfValues(input->GetNumberOfCells());
+  nameless->Fill(3.0);
+  input->GetCellData()->AddArray(nameless);
+  vtkNew<vtkBoneCap> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  vtkCellData* data = filter->GetOutput()->GetCellData();
+  ASSERT_EQ(data->GetNumberOfArrays(), 2);
+  EXPECT_EQ(data->GetArray(0)->GetNumberOfTuples(), filter->GetOutput()->GetNumberOfCells());
+  EXPECT_EQ(input->GetCellData()->GetArray(0)->GetNumberOfTuples(), input->GetNumberOfCells());
+}

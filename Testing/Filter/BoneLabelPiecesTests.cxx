@@ -96,3 +96,23 @@ TEST(BoneLabelPieces, RejectsAnImageThatIsAPiece)
   EXPECT_EQ(pieces->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(errors.Count("one of several pieces"), 1);
 }
+
+TEST(BoneLabelPieces, KeepsWhatWasActiveBeside)
+{
+  const vtkSmartPointer<vtkImageData> image = Image();
+  vtkNew<vtkDoubleArray> scan;
+  scan->SetName("CT");
+  scan->SetNumberOfValues(image->GetNumberOfPoints());
+  scan->Fill(1000.0);
+  image->GetPointData()->AddArray(scan);
+  image->GetPointData()->SetActiveScalars("CT");
+  vtkNew<vtkBoneLabelPieces> pieces;
+  pieces->SetInputData(image);
+  pieces->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Labels");
+  pieces->SetIslandVolume(1.5);
+  pieces->Update();
+  vtkPointData* data = pieces->GetOutput()->GetPointData();
+  EXPECT_EQ(data->GetArray("CT"), scan.Get());
+  EXPECT_EQ(data->GetScalars(), data->GetArray("Labels"));
+  EXPECT_EQ(At(pieces->GetOutput(), 6), 2);
+}

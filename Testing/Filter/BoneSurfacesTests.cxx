@@ -350,3 +350,13 @@ TEST(BoneSurfaces, PrintTheirProperties)
     EXPECT_NE(text.str().find(property), std::string::npos) << property;
   }
 }
+
+TEST(BoneSurfaces, ExtractsNoLabelOfASurfaceWithAPointThatIsNotThere)
+{
+  const vtkSmartPointer<vtkPolyData> surface = Extracted(ImageOf(EllipsoidLabels({ 8, 7, 6 })));
+  vtkNew<vtkPolyData> single;
+  EXPECT_TRUE(vtkBoneSurfaces::ExtractLabel(surface, 1, single));
+  surface->GetPolys()->ReplaceCellAtId(0, { 0, 1, 1000000 });
+  EXPECT_FALSE(vtkBoneSurfaces::ExtractLabel(surface, 1, single));
+  EXPECT_EQ(single->GetNumberOfPoints(), 0);
+}

@@ -6,6 +6,7 @@
 
 #include "vtkBoneDecimate.h"
 #include "vtkBoneVoxelCheck.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
 
@@ -216,4 +217,27 @@ TEST(BoneVoxelCheck, RejectsPointsAndTrianglesThatCannotBeVoxelized)
     errorOf(std::nan(""), -1).find("1 point has NaN or infinite coordinates"), std::string::npos);
   EXPECT_NE(errorOf(1e31, -1).find("beyond 1e30"), std::string::npos);
   EXPECT_NE(errorOf(1e6, -1).find("farther than 65536 voxels"), std::string::npos);
+}
+
+TEST(BoneVoxelCheck, HasNoCountsOfAPartAfterAnAbort)
+{
+  const vtkSmartPointer<vtkImageData> image = ImageOf(EllipsoidLabels({ 60, 50, 40 }));
+  const vtkSmartPointer<vtkPolyData> surface = Extracted(image);
+  vtkNew<vtkBoneVoxelCheck> check;
+  check->SetInputData(0, surface);
+  check->SetInputData(1, image);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* filter, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1); });
+  const unsigned long observer = check->AddObserver(vtkCommand::ProgressEvent, abort);
+  check->Update();
+  EXPECT_TRUE(check->GetWasStopped());
+  EXPECT_EQ(check->GetNumberOfComparedVoxels(), 0);
+  EXPECT_EQ(check->GetNumberOfLabels(), 0);
+  check->RemoveObserver(observer);
+  check->SetAbortExecute(0);
+  check->Modified();
+  check->Update();
+  EXPECT_FALSE(check->GetWasStopped());
+  EXPECT_EQ(check->GetNumberOfComparedVoxels(), 60 * 50 * 40);
 }

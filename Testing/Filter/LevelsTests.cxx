@@ -7,6 +7,7 @@
 
 #include "vtkBoneDecimate.h"
 #include "vtkBoneDecimateLevels.h"
+#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
@@ -212,5 +213,43 @@ TEST(LevelsFilter, PrintSelfNamesEveryProperty)
       "MeasureDistances: off", "NumberOfThreads: 0", "NumberOfTriangles: 0", "LevelError: 0 mm" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
+  }
+}
+
+TEST(LevelsFilter, TheReportIsOfTheRunAndGoneAfterAnUpdateThatFailed)
+{
+  LevelsRun levels(Bumps(3));
+  levels.Level(200);
+  const vtkIdType triangles = levels->GetNumberOfOutputTriangles();
+  EXPECT_EQ(triangles, 100);
+  levels.Level(400); // another level of the same run
+  EXPECT_EQ(levels->GetNumberOfOutputTriangles(), triangles);
+  levels->SetNumberOfTriangles(-1);
+  levels->Update();
+  EXPECT_EQ(levels->GetNumberOfOutputTriangles(), 0);
+  EXPECT_EQ(levels->GetStopReason(), vtkBoneDecimate::NOT_RUN);
+  levels.RanSince();
+  levels.Level(200);
+  EXPECT_FALSE(levels.RanSince());
+  EXPECT_EQ(levels->GetNumberOfOutputTriangles(), triangles);
+}
+
+TEST(LevelsFilter, ListsWhatWasLeftOutOfTheReferenceIfThereIsOne)
+{
+  const auto withLine = [](bool hasLine)
+  {
+    vtkSmartPointer<vtkPolyData> surface = Bumps(3);
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell({ 0, 1 });
+    surface->SetLines(hasLine ? lines.Get() : nullptr);
+    return surface;
+  };
+  for (const bool ofReference : { false, true })
+  {
+    LevelsRun levels(withLine(!ofReference));
+    levels->SetReferenceData(withLine(ofReference));
+    levels->SetMaximumError(0.5);
+    levels.Level(0);
+    EXPECT_EQ(levels->GetReportText("left_out.0.kind"), ofReference ? "lines" : "");
   }
 }

@@ -5,6 +5,8 @@
 #include "Shapes.h"
 #include "VtkSurfaces.h"
 
+#include "vtkBoneDiagnostics.h"
+#include "vtkBoneErrorSearch.h"
 #include "vtkBoneSurfaceDistance.h"
 #include "vtkFeatureEdges.h"
 #include "vtkFieldData.h"
@@ -252,5 +254,37 @@ TEST(Composite, SecondPortHasTheDistancesOfEachBlock)
     {
       ASSERT_NEAR(distances[i], expected[i], 1e-5) << "block " << block << " point " << i;
     }
+  }
+}
+
+TEST(Pipeline, DiagnosticsAreUsableOnlyOfASurfaceThatWasSeen)
+{
+  vtkNew<Unreliable> source;
+  vtkNew<vtkBoneDiagnostics> diagnostics;
+  diagnostics->SetInputConnection(source->GetOutputPort());
+  EXPECT_FALSE(diagnostics->IsUsable());
+  const WarningsOff off;
+  for (const char* request : { "", "information", "", "data", "" })
+  {
+    source->FailAt(request);
+    diagnostics->Update();
+    EXPECT_EQ(diagnostics->IsUsable(), *request == '\0') << request;
+  }
+}
+
+TEST(Pipeline, HasNoErrorOfASearchAfterAnAlgorithmBeforeItFailed)
+{
+  vtkNew<Unreliable> source;
+  vtkNew<vtkBoneErrorSearch> search;
+  search->SetInputConnection(source->GetOutputPort());
+  search->SetTargetNumberOfTriangles(300);
+  const WarningsOff off;
+  for (const char* request : { "", "information", "", "data" })
+  {
+    source->FailAt(request);
+    search->Update();
+    const bool hasFailed = *request != '\0';
+    EXPECT_EQ(std::isnan(search->GetSmallestError()), hasFailed) << request;
+    EXPECT_EQ(search->GetErrorTriedInVain() > 0.0, !hasFailed) << request;
   }
 }

@@ -127,7 +127,7 @@ TEST(RejectedValues, RemovingTheToleranceIsNoValueOutsideItsRange)
   filter->RemoveTolerance();
   filter->Update();
   EXPECT_EQ(errors.Texts.size(), 1U);
-  EXPECT_EQ(filter->GetStatus(), vtkBoneSurfaceDistance::NOT_ASKED);
+  EXPECT_EQ(filter->GetStatus(), vtkBoneSurfaceDistance::NOT_REQUESTED);
   filter->SetToleranceOrNone(0.5);
   EXPECT_EQ(filter->GetTolerance(), 0.5);
   filter->SetToleranceOrNone(-1.0);

@@ -92,7 +92,7 @@ TEST(SurfaceDistanceFilter, BoundsTheDistanceAndSaysWhere)
   EXPECT_LE(run->GetLowerBound(), 0.25);
   EXPECT_GE(run->GetUpperBound(), 0.25);
   EXPECT_NEAR(run->GetUpperBound(), run->GetLowerBound(), 1e-6);
-  EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::NOT_ASKED);
+  EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::NOT_REQUESTED);
   EXPECT_EQ(run->GetReportText("boundaries"), "both");
   EXPECT_NEAR(run->GetReportValue("boundary_reference_to_result.upper"), 0.25, 1e-6);
   EXPECT_EQ(run->GetReportEntryUnit("reference_to_result.upper"), "mm");
@@ -294,7 +294,7 @@ TEST(SurfaceDistanceFilter, RejectsAPieceOfASurface)
     request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 2);
     EXPECT_FALSE(run->Update(port, requests));
     EXPECT_EQ(run.Errors, 1) << port;
-    EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::NOT_ASKED);
+    EXPECT_EQ(run->GetStatus(), vtkBoneSurfaceDistance::NOT_REQUESTED);
     EXPECT_TRUE(std::isnan(run->GetUpperBound()));
   }
 }
@@ -311,4 +311,16 @@ TEST(SurfaceDistanceFilter, PrintsEveryProperty)
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }
+}
+
+TEST(SurfaceDistanceFilter, KeepsTheArraysOfItsInputs)
+{
+  const vtkSmartPointer<vtkPolyData> plate = Plate(0.0);
+  AddTolerance(plate, 0.3);
+  plate->GetPointData()->SetActiveScalars("tolerance");
+  DistanceRun run(plate, Plate(0.25));
+  run->Update();
+  vtkPointData* data = run->GetOutput(0)->GetPointData();
+  EXPECT_TRUE(data->HasArray("tolerance"));
+  EXPECT_EQ(data->GetScalars(), data->GetArray("SignedDistance"));
 }

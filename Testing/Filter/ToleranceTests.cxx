@@ -5,6 +5,7 @@
 #include "VtkSurfaces.h"
 
 #include "vtkBoneTolerance.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
@@ -312,5 +313,52 @@ TEST(BoneTolerance, PrintsEveryProperty)
       "InsideTolerance:", "OutsideTolerance:", "Feather:", "ToleranceArrayName:" })
   {
     EXPECT_NE(stream.str().find(name), std::string::npos) << name;
+  }
+}
+
+TEST(BoneTolerance, RejectsArraysOfAnotherLength)
+{
+  for (const int difference : { -3, 3 })
+  {
+    const auto errors = [difference](const char* name, bool ofCells)
+    {
+      const vtkSmartPointer<vtkPolyData> plate = Plate();
+      vtkNew<vtkFloatArray> array;
+      array->SetName(name);
+      array->SetNumberOfValues(
+        (ofCells ? plate->GetNumberOfCells() : plate->GetNumberOfPoints()) + difference);
+      array->Fill(1.0);
+      vtkFieldData* data =
+        ofCells ? static_cast<vtkFieldData*>(plate->GetCellData()) : plate->GetPointData();
+      data->AddArray(array);
+      ToleranceRun run(plate);
+      run->SetChoice(ofCells ? vtkBoneTolerance::CELL_ARRAY : vtkBoneTolerance::POINT_ARRAY);
+      run->Update();
+      EXPECT_EQ(run->GetOutput()->GetNumberOfPoints(), 0);
+      return run.Errors;
+    };
+    EXPECT_EQ(errors("Choice", false), 1);
+    EXPECT_EQ(errors("Choice", true), 1);
+    EXPECT_EQ(errors("Tolerance", false), 1);
+  }
+}
+
+TEST(BoneTolerance, RejectsCellsWithAPointThatIsNotThere)
+{
+  for (const int choice : { vtkBoneTolerance::EVERYTHING, vtkBoneTolerance::CELL_ARRAY,
+         vtkBoneTolerance::FOLDS, vtkBoneTolerance::BOUNDARIES })
+  {
+    const vtkSmartPointer<vtkPolyData> plate = Plate();
+    plate->GetPolys()->InsertNextCell({ 0, 1, 50000000 });
+    vtkNew<vtkFloatArray> array;
+    array->SetName("Choice");
+    array->SetNumberOfValues(plate->GetPolys()->GetNumberOfCells());
+    array->Fill(1.0);
+    plate->GetCellData()->AddArray(array);
+    ToleranceRun run(plate);
+    run->SetChoice(choice);
+    run->Update();
+    EXPECT_EQ(run.Errors, 1);
+    EXPECT_EQ(run->GetOutput()->GetNumberOfPoints(), 0);
   }
 }

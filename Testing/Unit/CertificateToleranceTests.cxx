@@ -290,3 +290,19 @@ TEST(CertificateTolerance, TheSingleToleranceCapsTheMap)
   EXPECT_EQ(AgainstMap(plate, moved, generous).Proof, ProofStatus::Proved);
   EXPECT_EQ(AgainstMap(plate, moved, generous, 0.4).Proof, ProofStatus::Violated);
 }
+
+TEST(CertificateTolerance, ToleranceBeyondEveryDistanceDoesNotLoosenTheBounds)
+{
+  const Surface reference = Icosphere(2, 10.0);
+  const Surface result = Moved(reference, { 0.05, 0.0, 0.0 });
+  for (const bool isMap : { false, true })
+  {
+    CertificateOptions options;
+    options.ToleranceMap.assign(isMap ? reference.Points.size() : 0, 0.1);
+    (isMap ? options.ToleranceMap[0] : options.Tolerance.emplace()) = 1e12;
+    const Certificate found = Certify(reference, result, options);
+    EXPECT_EQ(found.Proof, ProofStatus::Proved);
+    EXPECT_LE(found.Upper(), 0.0501);
+    EXPECT_GE(found.Upper(), found.Lower());
+  }
+}

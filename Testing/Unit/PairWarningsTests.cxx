@@ -22,9 +22,10 @@ Surface Ball(double radius, double x)
 PairFigures Compare(const Surface& reference, const Surface& result)
 {
   PairFigures figures;
-  Certificate certificate = Certify(reference, result, {});
-  DescribePair(
-    reference, result, 2, [](double) { return true; }, certificate, figures);
+  const std::vector<LeftOutShape> nothing;
+  CertificateOptions options;
+  options.NumberOfThreads = 2;
+  CertifyPair({ reference, nothing }, { result, nothing }, options, true, {}, figures);
   return figures;
 }
 

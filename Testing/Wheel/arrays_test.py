@@ -105,6 +105,15 @@ class Levels(unittest.TestCase):
         np.testing.assert_array_equal(corners, levels.at(triangles=800)[1])
         np.testing.assert_allclose(points, 2 * levels.at(triangles=800)[0], atol=1e-6)
 
+    def test_levels_of_a_log_have_the_precision_of_its_run(self):
+        points = POINTS.astype(np.float32)
+        for precision, kind in (("Double", np.float64), ("Single", np.float32)):
+            levels = bonedecimate.record_levels(points, TRIANGLES, target_triangles=300, precision=precision)
+            again = bonedecimate.open_levels(points, TRIANGLES, levels.log)
+            for one in (levels, again):
+                self.assertEqual(one.at(triangles=300)[0].dtype, kind)
+            np.testing.assert_array_equal(again.at(triangles=300)[0], levels.at(triangles=300)[0])
+
     def test_of_what_makes_no_sense_there_are_none(self):
         levels = bonedecimate.record_levels(POINTS, TRIANGLES, target_triangles=300)
         for wrong in ({}, {"triangles": 3, "error": 0.1}, {"triangles": 300, "on": (POINTS, TRIANGLES[::-1])}):

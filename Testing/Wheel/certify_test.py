@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What certify() of the wheel guarantees. Needs no VTK."""
 
+import re
 import unittest
 import warnings
 
@@ -17,6 +18,16 @@ class Certify(unittest.TestCase):
         self.assertAlmostEqual(certificate.upper, 1.0, delta=0.02)
         self.assertEqual(certificate.status, "proved")
         self.assertEqual(certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES), tolerance=0.9).status, "violated")
+
+    def test_prints_bounds_rounded_outwards(self):
+        for radius in (1.01234567891, 1.0212345678912, 1.09876543219):
+            certificate = certify((POINTS, TRIANGLES), (radius * POINTS, TRIANGLES))
+            printed = [float(bound) for bound in re.search(r"([\d.e-]+) to ([\d.e-]+) mm", repr(certificate)).groups()]
+            rows = [float(re.search(rf"(?m)^{name} +([\d.e-]+) mm$", str(certificate.report))[1]) for name in ("lower", "upper")]
+            for lower, upper in (printed, rows):
+                self.assertLessEqual(lower, certificate.lower)
+                self.assertGreaterEqual(upper, certificate.upper)
+                self.assertAlmostEqual(lower, upper, delta=3e-6)
 
     def test_signs_distances(self):
         certificate = certify((POINTS, TRIANGLES), (1.1 * POINTS, TRIANGLES))

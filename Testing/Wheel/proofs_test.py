@@ -64,6 +64,9 @@ class AProof(unittest.TestCase):
         self.assertLessEqual(report["left_out.2.distance"], 0.2)
         self.assertRegex(report["proof.sentence"], r", but for 1 polygon of .*, up to .* mm away; and for 1 line \(cell 1\), up to .* mm away$")
         with self.assertWarns(UserWarning):
+            recorded = broken.bone.levels(max_error=0.2).levels.result.report
+        self.assertRegex(recorded["proof.sentence"], r", but for 1 polygon of .*, up to .* mm away; and for 1 line ")
+        with self.assertWarns(UserWarning):
             certificate = broken.bone.certify(mesh)
         self.assertRegex(certificate.report["left_out.0.sentence"], "^1 polygon of fewer than three different corners of the reference")
 

@@ -209,18 +209,13 @@ val RunCertify(const val& reference, const val& result, const val& given, const 
   }
   const Surface one = ToSurface(reference);
   const Surface two = ToSurface(result);
-  const bool describes = given["surfaces"].as<bool>();
-  const Monitor monitor = MonitorOf(progress);
-  const double certified = describes ? 0.8 : 1.0;
-  Certificate found = Certify(one, two, options, PartOf(monitor, 0.0, certified));
+  PairFigures figures;
+  const std::vector<LeftOutShape> nothing;
+  const Certificate found = CertifyPair({ one, nothing }, { two, nothing }, options,
+    given["surfaces"].as<bool>(), MonitorOf(progress), figures);
   if (found.Status != CertificateStatus::Good)
   {
     return Failed(StatusSentence(found.Status));
-  }
-  PairFigures figures;
-  if (describes)
-  {
-    DescribePair(one, two, 1, PartOf(monitor, certified, 1.0), found, figures);
   }
   val to = val::object();
   to.set("lower", found.Lower());

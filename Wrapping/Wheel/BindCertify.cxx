@@ -5,7 +5,6 @@
 #include "Listener.h"
 #include "Proof/Certificate/Certificate.h"
 #include "Run/Output/ComparedSurface.h"
-#include "Run/Output/ListLeftOut.h"
 #include "Run/Report/CertificateTable.h"
 #include "Run/Report/PairWarnings.h"
 #include "Run/Report/ReportJson.h"
@@ -45,23 +44,16 @@ nb::dict RunCertificate(const PointsIn& referencePoints, const TrianglesIn& refe
 {
   const Surface reference = ToSurface(referencePoints, referenceTriangles);
   const Surface result = ToSurface(points, triangles);
+  const std::vector<LeftOutShape> ofReference = ToLeftOut(leftOutOfReference);
+  const std::vector<LeftOutShape> ofResult = ToLeftOut(leftOutOfResult);
   PairFigures figures;
-  figures.LeftOut = LeftOutOfPair(ToLeftOut(leftOutOfReference), reference,
-    ToLeftOut(leftOutOfResult), result, options.NumberOfThreads);
-  const double certified = surfaces ? 0.8 : 1.0;
-  Certificate certificate =
-    Listener(std::move(progress))
-      .Hear(
-        [&](const Monitor& monitor)
-        {
-          Certificate found = Certify(reference, result, options, PartOf(monitor, 0.0, certified));
-          if (surfaces)
-          {
-            DescribePair(reference, result, options.NumberOfThreads,
-              PartOf(monitor, certified, 1.0), found, figures);
-          }
-          return found;
-        });
+  Certificate certificate = Listener(std::move(progress))
+                              .Hear(
+                                [&](const Monitor& monitor)
+                                {
+                                  return CertifyPair({ reference, ofReference },
+                                    { result, ofResult }, options, surfaces, monitor, figures);
+                                });
   return ToDict(std::move(certificate), figures,
     PairWarnings(reference, result, options.Tolerance.value_or(0.0), figures));
 }

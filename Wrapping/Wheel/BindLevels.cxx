@@ -30,23 +30,27 @@ const Levels& Opened(const Levels& levels)
   return levels;
 }
 
-Level LevelOf(const Levels& levels, Index collapses)
+/// The levels if that is one of them.
+const Levels& WithLevel(const Levels& levels, Index collapses)
 {
   if (collapses < 0 || collapses > Opened(levels).NumberOfCollapses())
   {
     throw nb::index_error("no such level");
   }
-  return levels.At(collapses);
+  return levels;
 }
 
 nb::tuple Record(const PointsIn& points, const TrianglesIn& triangles, const Options& options,
-  bool single, nb::object progress)
+  bool single, const LeftOutIn& leftOut, nb::object progress)
 {
   const Surface surface = ToSurface(points, triangles);
+  const std::vector<LeftOutShape> shapes = ToLeftOut(leftOut);
+  RunInputs inputs = { single };
+  inputs.LeftOut = &shapes;
   auto levels = std::make_unique<Levels>();
   Result run = Listener(std::move(progress))
                  .Hear([&](const Monitor& monitor)
-                   { return RecordLevels(surface, options, monitor, { single }, *levels); });
+                   { return RecordLevels(surface, options, monitor, inputs, *levels); });
   return nb::make_tuple(
     ToDict(std::move(run), surface, options.NumberOfThreads), std::move(levels));
 }
@@ -73,8 +77,8 @@ std::unique_ptr<Levels> Open(
 nb::tuple On(
   const Levels& levels, Index collapses, const PointsIn& points, const TrianglesIn& triangles)
 {
-  LevelOf(levels, collapses);
-  std::optional<Level> level = levels.AtOn(ToSurface(points, triangles), collapses);
+  std::optional<Level> level =
+    WithLevel(levels, collapses).AtOn(ToSurface(points, triangles), collapses);
   if (!level)
   {
     throw nb::value_error(
@@ -110,12 +114,15 @@ void BindLevels(nb::module_& module)
       nb::arg("error"))
     .def(
       "triangles_at",
-      [](const Levels& levels, Index level) { return Opened(levels).TrianglesAt(level); },
+      [](const Levels& levels, Index level) { return WithLevel(levels, level).TrianglesAt(level); },
       nb::arg("level"))
     .def(
-      "at", [](const Levels& levels, Index level) { return ToTuple(LevelOf(levels, level)); },
+      "at",
+      [](const Levels& levels, Index level) { return ToTuple(WithLevel(levels, level).At(level)); },
       nb::arg("level"))
     .def("on", &On, nb::arg("level"), nb::arg("points"), nb::arg("triangles"))
+    .def_prop_ro(
+      "is_single", [](const Levels& levels) { return levels.Log().IsSingle; }, "float32.")
     .def("marks", &Marks, "(triangles, largest and mean distance, mm) from fine to coarse.")
     .def("log",
       [](const Levels& levels)
@@ -124,7 +131,8 @@ void BindLevels(nb::module_& module)
         return nb::bytes(bytes.data(), bytes.size());
       });
   module.def("record_levels", &Record, nb::arg("points"), nb::arg("triangles"), nb::arg("options"),
-    nb::arg("single"), nb::arg("progress").none(), "The run as decimate() has it, and its levels.");
+    nb::arg("single"), nb::arg("left_out"), nb::arg("progress").none(),
+    "The run as decimate() has it, and its levels.");
   module.def("open_levels", &Open, nb::arg("points"), nb::arg("triangles"), nb::arg("log"),
     nb::arg("threads"), "Raises ValueError if the log is none, damaged or of another surface.");
 }

@@ -38,7 +38,7 @@ public:
     const auto unlocked = [&]
     {
       const nanobind::gil_scoped_release release;
-      return run(Monitor([this](double fraction) { return this->GoesOn(fraction); }));
+      return run(Monitor([this](double fraction) { return this->ShouldContinue(fraction); }));
     };
     auto result = unlocked();
     if (this->Raised)
@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  bool GoesOn(double fraction)
+  bool ShouldContinue(double fraction)
   {
     const nanobind::gil_scoped_acquire acquire;
     if (this->Raised)

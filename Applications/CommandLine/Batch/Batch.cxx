@@ -274,7 +274,7 @@ private:
     {
       this->Table->Write(this->Rows);
     }
-    else if (!this->Running.empty())
+    else if (!this->Running.empty() || !this->ToDo.empty())
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }

@@ -182,7 +182,7 @@ std::string NameOf(const BatchBone& bone, int detail)
     name = plain.stem().string() + (detail > 0 ? "_" + ExtensionOf(plain.string()) : "");
   }
   name = detail > 1 ? WithoutSlash(bone.Root).filename().string() + "_" + name : name;
-  return (FilePath(bone.Below) / FilePath(name)).string();
+  return (FilePath(bone.Below) / FilePath(name)).generic_string(); // as in the table
 }
 
 /// Two inputs of one name get more of their paths into it, in the end a number. Small and capital
@@ -311,7 +311,7 @@ void NameOutputs(BatchBone& bone, const Arguments& arguments)
 
 std::string PathBelow(const BatchBone& bone)
 {
-  return (FilePath(bone.Below) / FilePath(BaseName(bone.Input))).string();
+  return (FilePath(bone.Below) / FilePath(BaseName(bone.Input))).generic_string();
 }
 
 std::vector<BatchBone> FindBones(const Arguments& arguments)

@@ -44,6 +44,20 @@ std::string RandomNumber()
   std::random_device device;
   return std::to_string(device()) + std::to_string(device());
 }
+
+/// The folder of a batch: others see it with its options or not at all.
+std::error_code MakeFolder(const fs::path& folder, const std::string& options)
+{
+  std::error_code error;
+  const fs::path beginning = folder.string() + ".new";
+  fs::create_directories(beginning, error);
+  if (!error)
+  {
+    std::ofstream(beginning / OptionsFile, std::ios::binary) << options;
+    fs::rename(beginning, folder, error);
+  }
+  return error;
+}
 }
 
 SharedFolder::SharedFolder(const std::string& output, const std::string& options)
@@ -51,23 +65,17 @@ SharedFolder::SharedFolder(const std::string& output, const std::string& options
   , Own(Hidden / (RandomNumber() + ".batch"))
   , Renewed(std::chrono::steady_clock::now())
 {
-  std::error_code error;
-  const Path beginning =
-    this->Own.string() + ".new"; // others see it with its options or not at all
-  fs::create_directories(beginning, error);
+  std::error_code error = MakeFolder(this->Own, options);
   if (error)
   {
-    throw Failure(
-      ExitCode::CouldNotWrite, "could not write into '" + output + "': " + error.message());
+    error = MakeFolder(this->Own, options); // another batch ended and removed the folder around it
   }
-  std::ofstream(beginning / OptionsFile, std::ios::binary) << options;
-  fs::rename(beginning, this->Own, error);
   Touch(this->Own);
   this->Begin = error ? Time() : fs::last_write_time(this->Own, error);
   if (error)
   {
     throw Failure(
-      ExitCode::CouldNotWrite, "could not write '" + this->Own.string() + "': " + error.message());
+      ExitCode::CouldNotWrite, "could not write into '" + output + "': " + error.message());
   }
   for (const Path& other : this->OtherBatches())
   {

@@ -19,6 +19,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace bonedecimate
 {
@@ -188,21 +189,39 @@ void Tell(const CertifiedPair& row, bool quiet)
   std::cout << std::flush;
 }
 
+std::vector<FilePair> PairsOf(const CertifyArguments& arguments)
+{
+  std::vector<FilePair> pairs = AreFolders(arguments.Files)
+    ? FindPairs(arguments.Files[0], arguments.Files[1], arguments.Iso)
+    : PairsWithFirst(arguments.Files);
+  for (const FilePair& pair : pairs)
+  {
+    RequireDistinct({ arguments.Json }, { pair.Reference, pair.Result });
+  }
+  return pairs;
+}
+
 ExitCode RunPairs(const CertifyArguments& arguments)
 {
+  const std::vector<FilePair> pairs = PairsOf(arguments);
+  std::optional<StagedFile> json;
+  if (!arguments.Json.empty())
+  {
+    json.emplace(arguments.Json);
+  }
   std::vector<CertifiedPair> rows;
-  for (const FilePair& pair : AreFolders(arguments.Files)
-      ? FindPairs(arguments.Files[0], arguments.Files[1], arguments.Iso)
-      : PairsWithFirst(arguments.Files))
+  for (const FilePair& pair : pairs)
   {
     rows.push_back(IsInterrupted()
         ? CertifiedPair{ pair.Name, ExitCode::Interrupted, "not compared: interrupted", {}, {} }
         : RunPair(arguments, pair));
     Tell(rows.back(), arguments.Quiet);
   }
-  if (!arguments.Json.empty())
+  if (json)
   {
-    WriteTextFile(arguments.Json, JsonOfPairs(rows));
+    json->WriteText(JsonOfPairs(rows));
+    json->Flush();
+    json->Commit();
   }
   if (!arguments.Quiet)
   {
@@ -218,10 +237,15 @@ ExitCode Run(const CertifyArguments& arguments)
     return RunPairs(arguments);
   }
   CertifyRun run(arguments);
+  run.Reserve();
   run.Read();
   StopIfInterrupted();
-  run.CompareVoxels();
   run.Compare();
+  run.CompareVoxels();
+  if (!arguments.HasReference())
+  {
+    StopIfInterrupted(); // nothing was proved
+  }
   run.Write();
   run.Tell();
   return run.Code();

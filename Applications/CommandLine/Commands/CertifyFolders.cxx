@@ -8,6 +8,7 @@
 #include "Files/FileNames.h"
 #include "Formats/FileChecks.h"
 #include "Formats/SurfaceFormat.h"
+#include "Report/JsonReport.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -18,6 +19,13 @@ namespace bonedecimate
 {
 namespace
 {
+/// Whether a part of a path begins with a dot: a batch leaves such files and folders out.
+bool IsHidden(const std::filesystem::path& below)
+{
+  return std::any_of(below.begin(), below.end(),
+    [](const std::filesystem::path& part) { return part.string().rfind('.', 0) == 0; });
+}
+
 /// The surfaces of a folder and below it, by their names without an extension.
 std::map<std::string, std::vector<std::string>> SurfacesIn(const std::string& folder)
 {
@@ -27,9 +35,9 @@ std::map<std::string, std::vector<std::string>> SurfacesIn(const std::string& fo
     for (const auto& entry : std::filesystem::recursive_directory_iterator(FilePath(folder)))
     {
       const std::string file = entry.path().string();
-      if (entry.is_regular_file() && FindFormat(file) != nullptr)
+      std::filesystem::path name = entry.path().lexically_relative(FilePath(folder));
+      if (entry.is_regular_file() && FindFormat(file) != nullptr && !IsHidden(name))
       {
-        std::filesystem::path name = entry.path().lexically_relative(FilePath(folder));
         found[name.replace_extension().generic_string()].push_back(file);
       }
     }
@@ -140,7 +148,7 @@ std::string JsonOfPairs(const std::vector<CertifiedPair>& pairs)
     }
     list.push_back(row);
   }
-  return list.dump(2) + "\n";
+  return JsonText(list);
 }
 
 std::string CountsOfPairs(const std::vector<CertifiedPair>& pairs, bool hasTolerance)
@@ -158,6 +166,7 @@ std::string CountsOfPairs(const std::vector<CertifiedPair>& pairs, bool hasToler
     { std::pair(of(ExitCode::Done), hasTolerance ? "proved" : "compared"),
       std::pair(of(ExitCode::Violated), "violated"),
       std::pair(of(ExitCode::Undecided), "undecided"),
+      std::pair(of(ExitCode::Interrupted), "stopped"),
       std::pair(
         count([](const CertifiedPair& pair) { return pair.Json.empty(); }), "not compared") })
   {

@@ -4,6 +4,7 @@
 
 #include "Arguments/InputArguments.h"
 #include "BoneVolume.h"
+#include "CertificateFinding.h"
 #include "CertificatePage.h"
 #include "Files/FileNames.h"
 #include "Files/StagedFile.h"
@@ -36,13 +37,10 @@ void CertifyRun::Read()
   {
     this->ReadReference();
   }
-  else
-  {
-    this->Frame = "LPS"; // of label maps
-  }
   const MillimeterSurface result =
     ReadInput(this->Requested.Result(), this->Requested.Unit, this->Warnings);
-  this->Result = this->InFrameOfReference(result.Surface);
+  this->ResultAsRead = result.Surface;
+  this->Result = this->InFrame(this->Frame, "reference");
   this->ReportOfResult = ReportFields(result.InFile).Text("proof.sentence");
   this->Filter->SetInputData(1, this->Result);
 }
@@ -66,8 +64,13 @@ void CertifyRun::CompareVoxels()
   if (!this->Requested.Map.Path.empty())
   {
     this->Voxels.emplace();
-    this->Voxels->Compare(this->Result, this->Requested.Result(), this->Requested.Map,
-      this->Requested.Threads, this->Warnings);
+    this->WereVoxelsStopped = !this->Voxels->Compare(this->InFrame("LPS", "label map"),
+      this->Requested.Result(), this->Requested.Map, this->Requested.Threads, this->Warnings);
+  }
+  if (this->WereVoxelsStopped)
+  {
+    this->Voxels.reset();
+    this->Warnings.push_back("stopped before the voxels were compared");
   }
 }
 
@@ -112,18 +115,38 @@ void CertifyRun::Compare()
 }
 
 //------------------------------------------------------------------------------
-void CertifyRun::Write()
+void CertifyRun::Reserve()
 {
   if (!this->Requested.Page.empty())
   {
-    StagedFile page(this->Requested.Page);
-    StagedFile picture(this->Requested.Page + ".png"); // never committed: the page holds it
-    this->WritePage(page, picture);
-    page.Commit();
+    this->Page.emplace(this->Requested.Page);
   }
   if (!this->Requested.Json.empty())
   {
-    WriteTextFile(this->Requested.Json, this->Json());
+    this->Certificate.emplace(this->Requested.Json);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CertifyRun::Write()
+{
+  if (this->Page)
+  {
+    StagedFile picture(this->Requested.Page + ".png"); // never committed: the page holds it
+    this->WritePage(*this->Page, picture);
+    this->Page->Flush();
+  }
+  if (this->Certificate)
+  {
+    this->Certificate->WriteText(this->Json());
+    this->Certificate->Flush();
+  }
+  for (std::optional<StagedFile>* file : { &this->Page, &this->Certificate })
+  {
+    if (*file)
+    {
+      (*file)->Commit();
+    }
   }
 }
 
@@ -169,7 +192,7 @@ void CertifyRun::WritePage(StagedFile& page, StagedFile& picture)
 //------------------------------------------------------------------------------
 ExitCode CertifyRun::Code() const
 {
-  if (this->Filter->GetWasStopped())
+  if (this->Filter->GetWasStopped() || this->WereVoxelsStopped)
   {
     return ExitCode::Interrupted;
   }
@@ -225,16 +248,16 @@ void CertifyRun::ReadScan(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> CertifyRun::InFrameOfReference(vtkPolyData* result)
+vtkSmartPointer<vtkPolyData> CertifyRun::InFrame(const std::string& frame, const std::string& owner)
 {
-  const std::string& frame = FrameOf(result);
-  if (frame.empty() || this->Frame.empty() || frame == this->Frame)
+  const std::string& own = FrameOf(this->ResultAsRead);
+  if (own.empty() || frame.empty() || own == frame)
   {
-    return result;
+    return this->ResultAsRead;
   }
-  this->Warnings.push_back("the axes of '" + BaseName(this->Requested.Result()) + "' are " + frame +
-    ", those of the reference " + this->Frame + ": the result was turned to the reference");
-  return TurnedAboutZ(result);
+  this->Warnings.push_back("the axes of '" + BaseName(this->Requested.Result()) + "' are " + own +
+    ", those of the " + owner + " " + frame + ": the result was turned to the " + owner);
+  return TurnedAboutZ(this->ResultAsRead);
 }
 
 //------------------------------------------------------------------------------

@@ -36,9 +36,12 @@ public:
 
   /// Everything found, as JSON.
   std::string Json() const;
-  void CompareVoxels();
   /// After an interruption it leaves the bounds proved so far.
   void Compare();
+  /// After Compare(). Interrupted, there are no counts.
+  void CompareVoxels();
+  /// Makes sure before the work that the outputs can be written.
+  void Reserve();
   void Write();
   void Tell();
 
@@ -57,8 +60,9 @@ private:
   void ReadReference();
   void ReadScan(const std::string& file);
 
-  /// The result, turned if its file and that of the reference say that their axes differ.
-  vtkSmartPointer<vtkPolyData> InFrameOfReference(vtkPolyData* result);
+  /// The result as it was read, turned if its file says that its axes are others.
+  /// @param frame "LPS" or "RAS"; empty: not known. @param owner Whose frame it is.
+  vtkSmartPointer<vtkPolyData> InFrame(const std::string& frame, const std::string& owner);
 
   /// Empty if there is no such entry.
   std::string LeftOut(int entry) const;
@@ -67,7 +71,12 @@ private:
   bool CoversWhatWasLeftOut() const;
   double Value(const std::string& name) const { return this->Filter->GetReportValue(name); }
 
+  /// Where the bounds of that path are reached; empty if they are of nothing.
+  std::string PositionText(const std::string& path) const;
   void TellDirection(const std::string& path, const std::string& words) const;
+
+  /// The distance of open boundaries if it is larger than that of the surfaces.
+  std::string FartherBoundary() const;
 
   /// Before the tolerance.
   std::string StatusText() const;
@@ -79,10 +88,14 @@ private:
   const CertifyArguments& Requested;
   std::vector<std::string> Warnings;
   std::string Frame; // of the reference, "LPS" or "RAS"; empty: not known
-  vtkSmartPointer<vtkPolyData> Result;
-  std::string ReportOfResult; // what it proves, as its file says
+  vtkSmartPointer<vtkPolyData> ResultAsRead;
+  vtkSmartPointer<vtkPolyData> Result; // in the frame of the reference
+  std::string ReportOfResult;          // what it proves, as its file says
   vtkNew<vtkBoneSurfaceDistance> Filter;
   std::optional<VoxelCertificate> Voxels;
+  bool WereVoxelsStopped = false;
+  std::optional<StagedFile> Page;
+  std::optional<StagedFile> Certificate; // as JSON
 };
 }
 

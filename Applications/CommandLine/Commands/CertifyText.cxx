@@ -4,11 +4,14 @@
 
 #include "Figures/BoundText.h"
 #include "NumberText.h"
+#include "Options/NumberRange.h"
 #include "PlainText.h"
 #include "Report/CountText.h"
 #include "Terminal/ProgressDisplay.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 
 namespace bonedecimate
@@ -17,6 +20,13 @@ namespace
 {
 constexpr int DecimalsOfLine = 6;
 constexpr int DecimalsOfProgress = 4;
+
+/// mm, with six decimals if that is the very number, else with all of them.
+std::string ToleranceText(double tolerance)
+{
+  const std::string text = FixedText(tolerance + 0.0, DecimalsOfLine); // without the sign of -0
+  return (std::strtod(text.c_str(), nullptr) == tolerance ? text : NumberText(tolerance)) + " mm";
+}
 }
 
 std::string CertifyRun::BoundsSoFar() const
@@ -56,10 +66,33 @@ std::string CertifyRun::Line() const
   const std::string stopped = this->Filter->GetReportText("stopped");
   return LowerBoundText(this->Filter->GetLowerBound(), DecimalsOfLine) + " to " +
     UpperBoundText(this->Filter->GetUpperBound(), DecimalsOfLine) + " mm" +
-    (this->Filter->GetStatus() == vtkBoneSurfaceDistance::NOT_ASKED
+    this->FartherBoundary() +
+    (this->Filter->GetStatus() == vtkBoneSurfaceDistance::NOT_REQUESTED
         ? ""
         : ", " + status + this->Reservations()) +
     (stopped.empty() ? "" : ", " + stopped);
+}
+
+//------------------------------------------------------------------------------
+std::string CertifyRun::FartherBoundary() const
+{
+  const std::string presence = this->Filter->GetReportText("boundaries");
+  if (presence == "reference_only" || presence == "result_only")
+  {
+    return std::string(", only the ") + (presence == "result_only" ? "result" : "reference") +
+      " has open boundaries";
+  }
+  double lower = 0.0; // mm
+  double upper = 0.0; // mm
+  for (const std::string path : { "boundary_reference_to_result", "boundary_result_to_reference" })
+  {
+    lower = std::max(lower, this->Value(path + ".lower"));
+    upper = std::max(upper, this->Value(path + ".upper"));
+  }
+  return upper <= this->Filter->GetUpperBound()
+    ? std::string()
+    : ", open boundaries " + LowerBoundText(lower, DecimalsOfLine) + " to " +
+      UpperBoundText(upper, DecimalsOfLine) + " mm";
 }
 
 //------------------------------------------------------------------------------
@@ -108,6 +141,16 @@ void CertifyRun::TellDistance() const
 }
 
 //------------------------------------------------------------------------------
+std::string CertifyRun::PositionText(const std::string& path) const
+{
+  const auto triangle = static_cast<long long>(this->Value(path + ".triangle"));
+  return triangle < 0 ? std::string()
+                      : " at (" + FixedText(this->Value(path + ".x"), 4) + ", " +
+      FixedText(this->Value(path + ".y"), 4) + ", " + FixedText(this->Value(path + ".z"), 4) +
+      "), triangle " + std::to_string(triangle);
+}
+
+//------------------------------------------------------------------------------
 void CertifyRun::TellDirection(const std::string& path, const std::string& words) const
 {
   const double lower = this->Value(path + ".lower");
@@ -117,14 +160,7 @@ void CertifyRun::TellDirection(const std::string& path, const std::string& words
   }
   std::cout << words << LowerBoundText(lower, DecimalsOfRounding) << " to "
             << UpperBoundText(this->Value(path + ".upper"), DecimalsOfRounding) << " mm";
-  const auto triangle = static_cast<long long>(this->Value(path + ".triangle"));
-  if (triangle >= 0)
-  {
-    std::cout << " at (" << FixedText(this->Value(path + ".x"), 4) << ", "
-              << FixedText(this->Value(path + ".y"), 4) << ", "
-              << FixedText(this->Value(path + ".z"), 4) << "), triangle " << triangle;
-  }
-  std::cout << "\n";
+  std::cout << this->PositionText(path) << "\n";
   const double mean = this->Value(path + ".mean");
   if (!std::isnan(mean))
   {
@@ -132,6 +168,14 @@ void CertifyRun::TellDirection(const std::string& path, const std::string& words
               << FixedText(this->Value(path + ".mean_error"), 6) << ", RMS "
               << FixedText(this->Value(path + ".rms"), 6) << " +- "
               << FixedText(this->Value(path + ".rms_error"), 6) << " mm\n";
+  }
+  const std::string excess = path + ".excess";
+  if (!this->Requested.ToleranceArray.empty() && this->Value(excess + ".upper") > 0.0)
+  {
+    std::cout << "                     beyond the tolerance of a point "
+              << LowerBoundText(std::max(0.0, this->Value(excess + ".lower")), DecimalsOfRounding)
+              << " to " << UpperBoundText(this->Value(excess + ".upper"), DecimalsOfRounding)
+              << " mm" << this->PositionText(excess) << "\n";
   }
 }
 
@@ -163,8 +207,8 @@ void CertifyRun::TellStatus() const
     ? ""
     : "the map '" + this->Requested.ToleranceArray + "'";
   const std::string number =
-    this->Requested.Tolerance ? FixedText(*this->Requested.Tolerance, 6) + " mm" : "";
-  if (this->Filter->GetStatus() != vtkBoneSurfaceDistance::NOT_ASKED)
+    this->Requested.Tolerance ? ToleranceText(*this->Requested.Tolerance) : "";
+  if (this->Filter->GetStatus() != vtkBoneSurfaceDistance::NOT_REQUESTED)
   {
     std::cout << "tolerance            " << this->StatusText() << map
               << (map.empty() || number.empty() ? "" : " and ") << number << this->Reservations()

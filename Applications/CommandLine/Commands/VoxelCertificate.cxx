@@ -5,6 +5,7 @@
 #include "NumberText.h"
 #include "Report/CountText.h"
 #include "Runs/FilterRun.h"
+#include "Terminal/Interruption.h"
 
 #include "vtkBoneVoxelCheck.h"
 #include "vtkImageData.h"
@@ -46,19 +47,21 @@ VoxelCertificate::VoxelCertificate()
 
 VoxelCertificate::~VoxelCertificate() = default;
 
-void VoxelCertificate::Compare(vtkPolyData* surface, const std::string& file,
+bool VoxelCertificate::Compare(vtkPolyData* surface, const std::string& file,
   const LabelMapFile& map, int threads, std::vector<std::string>& warnings)
 {
   this->Check->SetInputData(0, surface);
   this->Check->SetInputData(1, ReadLabels(map.Path, warnings, map.GetSpacing()));
   this->Check->SetLabel(map.Label);
   this->Check->SetNumberOfThreads(threads);
-  AcceptMessages(UpdateFilter(this->Check, Progress::Hidden), file, warnings);
+  AcceptMessages(
+    UpdateUntilInterrupted(this->Check, Progress::Hidden, "comparing"), file, warnings);
   const std::string leftOut = LeftOutText(this->Check);
   if (!leftOut.empty())
   {
     warnings.push_back(leftOut);
   }
+  return !this->Check->GetWasStopped() && !IsInterrupted();
 }
 
 bool VoxelCertificate::IsViolated() const

@@ -26,8 +26,9 @@ public:
   VoxelCertificate();
   ~VoxelCertificate();
 
-  /// @param file File of the surface, for messages. @throws Failure(ExitCode::InputRejected)
-  void Compare(vtkPolyData* surface, const std::string& file, const LabelMapFile& map, int threads,
+  /// @param file File of the surface, for messages. @returns False if it was stopped.
+  /// @throws Failure(ExitCode::InputRejected)
+  bool Compare(vtkPolyData* surface, const std::string& file, const LabelMapFile& map, int threads,
     std::vector<std::string>& warnings);
 
   bool IsViolated() const;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SameFile.h"
 
+#include "Base/Text.h"
 #include "ExitCode.h"
 #include "FilePath.h"
+#include "Formats/SurfaceFormat.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -21,6 +23,27 @@ bool IsSameFile(const std::string& a, const std::string& b)
     fs::absolute(FilePath(b), error).lexically_normal();
 }
 
+namespace
+{
+/// Whether a file lies below one of these folders, and is none of the kinds that reports have: it
+/// may be a slice.
+bool IsPartOfInput(const std::string& file, const std::vector<std::string>& inputs)
+{
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(FilePath(file), error);
+  const std::string extension = LowerCase(path.extension().string());
+  const bool isReport = extension == ".json" || extension == ".html" || extension == ".htm" ||
+    extension == ".png" || extension == ".csv";
+  const auto isAbove = [&](const std::string& folder)
+  {
+    const fs::path below = path.lexically_relative(fs::weakly_canonical(FilePath(folder), error));
+    return fs::is_directory(FilePath(folder), error) && !below.empty() && *below.begin() != "..";
+  };
+  return !isReport && FindFormat(file) == nullptr && fs::is_regular_file(path, error) &&
+    std::any_of(inputs.begin(), inputs.end(), isAbove);
+}
+}
+
 void RequireDistinct(
   const std::vector<std::string>& outputs, const std::vector<std::string>& inputs)
 {
@@ -28,7 +51,8 @@ void RequireDistinct(
   {
     const auto isIt = [output](const std::string& other)
     { return !output->empty() && !other.empty() && IsSameFile(*output, other); };
-    if (std::any_of(inputs.begin(), inputs.end(), isIt))
+    if (std::any_of(inputs.begin(), inputs.end(), isIt) ||
+      (!output->empty() && IsPartOfInput(*output, inputs)))
     {
       throw Failure(ExitCode::Usage, "'" + *output + "' is an input; it is not overwritten");
     }

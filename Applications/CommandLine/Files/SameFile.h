@@ -17,7 +17,8 @@ bool IsSameFile(const std::string& a, const std::string& b);
 
 /**
  * @param outputs Files that are written. Empty names are none, of the inputs, too.
- * @throws Failure(ExitCode::Usage) if an output is an input, or two outputs are one file.
+ * @throws Failure(ExitCode::Usage) if an output is an input or replaces a file in a folder that is
+ * one, such as a slice, or two outputs are one file.
  */
 void RequireDistinct(
   const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);

@@ -56,12 +56,13 @@ bool SendHeader(const VolumeHeader& header, Pipe& pipe)
 /// Each layer comes behind a text that is empty if there is a layer.
 void SendVolume(const LayeredVolume& volume, Pipe& pipe)
 {
-  bool goesOn = SendHeader(volume.Header, pipe);
-  std::vector<char> layer(goesOn ? volume.Header.BytesInALayer() : 0);
-  for (std::int64_t k = 0; goesOn && k < volume.Header.Size[2]; ++k)
+  bool shouldContinue = SendHeader(volume.Header, pipe);
+  std::vector<char> layer(shouldContinue ? volume.Header.BytesInALayer() : 0);
+  for (std::int64_t k = 0; shouldContinue && k < volume.Header.Size[2]; ++k)
   {
     const std::string problem = volume.ReadLayer(layer.data());
-    goesOn = pipe.SendText(problem) && problem.empty() && pipe.Send(layer.data(), layer.size());
+    shouldContinue =
+      pipe.SendText(problem) && problem.empty() && pipe.Send(layer.data(), layer.size());
   }
 }
 

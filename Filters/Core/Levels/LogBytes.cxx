@@ -241,6 +241,8 @@ std::string LogMessage(LogStatus status)
       return "the log contradicts itself: no run can have written it";
     case LogStatus::OtherSurface:
       return "the log was recorded on another surface";
+    case LogStatus::BadLabelMap:
+      return "the voxel grid or the labels of the surface cannot be used";
     case LogStatus::Good:
       break;
   }

@@ -21,7 +21,8 @@ enum class LogStatus : int
   UnknownVersion,
   Damaged,       ///< Truncated, too long, or with a wrong checksum.
   Contradictory, ///< Values that no run can have written.
-  OtherSurface   ///< Recorded on another surface.
+  OtherSurface,  ///< Recorded on another surface.
+  BadLabelMap    ///< The voxel grid or the labels of the surface cannot be used.
 };
 
 /// A sentence about the problem; empty if Good.

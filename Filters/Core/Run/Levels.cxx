@@ -39,6 +39,10 @@ LogStatus Levels::Open(const Surface& input, EditLog log, int threads, const Run
   {
     return LogStatus::OtherSurface;
   }
+  if (CheckLabelMap(map, input, {}) == InputStatus::BadLabelMap)
+  {
+    return LogStatus::BadLabelMap;
+  }
   SortAlongCurve(clean, threads); // the same numbers as in the run, see PrepareInput.cxx
   if (SplitIntoManifoldPatches(clean, threads, PatchLabels(clean, inputs.Labels, map)))
   {

@@ -224,11 +224,12 @@ def kept_by_program(records: Sequence[Record]) -> str:
             kept = f"{sum(map(is_kept, results))} of {sum(record['program'] == name for record in records)}"
             lines.append([titled(name), kept, number(max(map(excess, results), default=None)),
                           median([over_fast(record) for record in results])])
-    return markdown(["", "tolerance kept", "true / requested, largest", "triangles / Fast's at the true distance"], lines)
+    return markdown(["", "tolerance kept", "true / requested, largest", "times the triangles of Fast at that distance"], lines)
 
 
 def readme_section(records: Sequence[Record]) -> str:
     """The table with a sentence before it."""
     runs = len({(record["bone"], record["tolerance_mm"]) for record in records})
     return (f"Programs with a setting for the largest distance: {runs} runs at {', '.join(names(records, 'tolerance_mm'))} mm on {len(names(records, 'bone'))} bones "
-            "([all figures](Documentation/results/audit.md),\n`Testing/Benchmark/audit.sh`):\n\n" + kept_by_program(records))
+            "([all figures](Documentation/results/audit.md),\n`Testing/Benchmark/audit.sh`). A run that failed has not kept its tolerance; slow programs have fewer runs.\n\n"
+            + kept_by_program(records))

@@ -28,8 +28,8 @@ class Levels:
     marks: NDArray[np.float64]  #: (k, 3), from fine to coarse: triangles, largest and mean distance (NaN: not measured)
     result: Result | None  #: of the run that was recorded; None if the levels were opened from a log
 
-    def __init__(self, core: _core.Levels, single: bool, result: Result | None) -> None:
-        self._core, self._single, self.result = core, single, result
+    def __init__(self, core: _core.Levels, result: Result | None) -> None:
+        self._core, self.result = core, result
         self.marks = np.array(core.marks(), dtype=np.float64).reshape(-1, 3)
 
     def at(self, *, triangles: int | None = None, error: float | None = None,
@@ -61,7 +61,7 @@ class Levels:
             points, corners = self._core.at(level)
         else:
             points, corners = self._core.on(level, *surface_from(on, "on")[:2])
-        return points.astype(np.float32) if self._single else points, corners
+        return points.astype(np.float32) if self._core.is_single else points, corners
 
     def _by_triangles(self, triangles: int) -> int:
         wanted = number("triangles", triangles, 0, np.iinfo(np.int32).max, "triangles", is_whole=True)
@@ -107,12 +107,11 @@ def record_levels(points: ArrayLike | SurfaceLike, triangles: ArrayLike | None =
     surface = input_from(points, triangles)
     values = read(options, record_levels)
     _reject_label_map(surface, values)
-    single = gives_single(values, surface.is_single)
     with listener(progress) as heard:
-        outcome, levels = _core.record_levels(*surface[:2], values, surface.is_single, heard)
+        outcome, levels = _core.record_levels(*surface[:2], values, surface.is_single, list(surface.left_out), heard)
     outcome["warnings"] = surface.warnings + outcome["warnings"]
     check(outcome, 2)
-    return Levels(levels, single, Result(outcome, single))
+    return Levels(levels, Result(outcome, gives_single(values, surface.is_single)))
 
 
 def _reject_label_map(surface: Surface, values: _core.Options) -> None:
@@ -128,4 +127,4 @@ def open_levels(points: ArrayLike, triangles: ArrayLike, log: bytes, *, threads:
     if not isinstance(log, (bytes, bytearray, memoryview)):
         raise TypeError(f"log is bytes, not a {type(log).__name__}")
     surface = input_from(points, triangles)
-    return Levels(_core.open_levels(*surface[:2], bytes(log), thread_count(threads)), surface.is_single, None)
+    return Levels(_core.open_levels(*surface[:2], bytes(log), thread_count(threads)), None)

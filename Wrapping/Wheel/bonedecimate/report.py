@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import decimal
 import difflib
 import html
 import math
@@ -13,8 +14,8 @@ from collections.abc import Iterator, Mapping
 class Report(dict[str, "int | float | str"]):
     """A report by name, "proof.upper".
 
-    Printed, it is a table that begins with the sentence of the proof: numbers have six digits, the options of the run are counted,
-    and entries with an empty text are left out.
+    Printed, it is a table that begins with the sentence of the proof: numbers have six digits, bounds rounded outwards, the options of
+    the run are counted, and entries with an empty text are left out.
     """
 
     units: dict[str, str]  #: of each entry that has one
@@ -35,7 +36,7 @@ class Report(dict[str, "int | float | str"]):
     def _rows(self) -> Iterator[tuple[str, str, str]]:
         for name, value in sorted(self.items(), key=lambda entry: entry[0] not in ("proof.sentence", "sentence")):
             if value != "":
-                yield name, number_text(float(f"{value:.6g}")) if isinstance(value, float) else str(value), self.units.get(name, "")
+                yield name, rounded_text(value, name) if isinstance(value, float) else str(value), self.units.get(name, "")
 
     def __str__(self) -> str:
         rows = [row for row in self._rows() if not row[0].startswith("options.")]
@@ -52,6 +53,16 @@ class Report(dict[str, "int | float | str"]):
                 f"<tr><td style='text-align:left'>{html.escape(name)}</td>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in cells) + "</tr>")
         options = f"<details><summary>options</summary><table>{tables[True]}</table></details>" if tables[True] else ""
         return f"<table>{tables[False]}</table>{options}"
+
+
+def rounded_text(value: float, name: str) -> str:
+    """Six digits. A bound by its name, "upper", is rounded outwards: what is printed is proved, too."""
+    if not math.isfinite(value):
+        return number_text(value)
+    end = name.rpartition(".")[2]
+    is_upper = end == "upper" or name.startswith("left_out.") and end == "distance"
+    rounding = decimal.ROUND_CEILING if is_upper else decimal.ROUND_FLOOR if end == "lower" else decimal.ROUND_HALF_EVEN
+    return number_text(float(decimal.Context(prec=6, rounding=rounding).create_decimal(value)))
 
 
 def number_text(value: float) -> str:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from . import _core, files
 from .label_maps import extract_label
-from .report import Report
+from .report import Report, rounded_text
 from .voxel_check import VoxelChanges
 from .voxels import SurfaceSource, VoxelGrid
 
@@ -162,7 +162,8 @@ class Certificate:
 
     def __repr__(self) -> str:
         status = "proved; no tolerance to compare with" if self.status == "not_requested" else self.status
-        return f"<bonedecimate.Certificate: {self.lower:.6g} to {self.upper:.6g} mm, {status}{', stopped' * self.stopped}>"
+        bounds = f"{rounded_text(self.lower, 'lower')} to {rounded_text(self.upper, 'upper')} mm"
+        return f"<bonedecimate.Certificate: {bounds}, {status}{', stopped' * self.stopped}>"
 
 
 def _named(entries: list[tuple[str, str, int | float | str]]) -> Report:

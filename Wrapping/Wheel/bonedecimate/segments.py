@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import importlib
 import numbers
 import os
 import pathlib
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 
 from .arrays import Result, decimate
 from .label_maps import extract_surfaces
+from .report import rounded_text
 from .voxels import LabelMap, LabelMapLike, has_grid, label_map_from
 
 if TYPE_CHECKING:
@@ -83,7 +85,7 @@ class Segments(Mapping[str, Segment]):
         return pyvista.MultiBlock({name: segment.to_pyvista() for name, segment in self.items()})
 
     def __repr__(self) -> str:
-        return f"<bonedecimate.Segments: {', '.join(self)}; {self.result.proved_error:.6g} mm proved>"
+        return f"<bonedecimate.Segments: {', '.join(self)}; {rounded_text(self.result.proved_error, 'upper')} mm proved>"
 
 
 def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[int, str] | Mapping[str, int] | None = None,
@@ -163,10 +165,15 @@ def _read(source: object) -> tuple[LabelMap, dict[int, str]]:
 
 def _image(path: pathlib.Path) -> Any:
     if path.name.endswith((".nii", ".nii.gz")):
-        import nibabel
-        return nibabel.load(path)
-    import SimpleITK
-    return SimpleITK.ReadImage(os.fspath(path))
+        return _package("nibabel", path).load(path)
+    return _package("SimpleITK", path).ReadImage(os.fspath(path))
+
+
+def _package(name: str, path: pathlib.Path) -> Any:
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        raise ImportError(f"'{path}' is read by {name}, which is not installed: pip install {name}") from None
 
 
 def _masks(folder: pathlib.Path) -> tuple[LabelMap, dict[int, str]]:

@@ -34,8 +34,8 @@ struct VoxelChanges
   bool IsDone = false;       ///< False after an abort.
   std::int64_t Compared = 0; ///< Voxels.
   std::int64_t Changed = 0;
-  std::array<std::int64_t, 3> FirstChanged = { 0, 0,
-    0 };                             ///< Voxel indices of the first along z, y, x; if Changed.
+  /// Voxel indices along x, y and z of the first in the order of the map; if Changed.
+  std::array<std::int64_t, 3> FirstChanged = { 0, 0, 0 };
   std::vector<LabelChanges> OfLabel; ///< By index of the label.
 };
 

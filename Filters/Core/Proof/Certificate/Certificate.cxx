@@ -42,6 +42,18 @@ CertificateStatus Check(
   return goodMap && goodTolerance ? CertificateStatus::Good : CertificateStatus::BadTolerance;
 }
 
+/// Options without tolerances that no distance of two points can reach: rounding grows with them.
+CertificateOptions WithinReach(CertificateOptions options, const Frame& frame)
+{
+  const double farthest = 4.0 * frame.Extent; // mm, more than the diagonal of the box around both
+  const auto limit = [farthest](double tolerance) { return std::min(tolerance, farthest); };
+  std::vector<double>& map = options.ToleranceMap;
+  std::transform(map.begin(), map.end(), map.begin(),
+    [limit](double tolerance) { return tolerance >= 0.0 ? limit(tolerance) : tolerance; });
+  options.Tolerance = options.Tolerance ? std::optional(limit(*options.Tolerance)) : std::nullopt;
+  return options;
+}
+
 /// mm, at each point; infinite where there is no limit. Empty without a map.
 std::vector<double> PointLimits(const CertificateOptions& options)
 {
@@ -69,7 +81,6 @@ public:
     : Reference(reference)
     , Result(result)
     , Options(options)
-    , Limits(PointLimits(options))
     , Progress(monitor)
   {
   }
@@ -82,6 +93,8 @@ public:
       return this->Output;
     }
     const Frame frame = FindFrame(this->Reference, this->Result);
+    this->Options = WithinReach(std::move(this->Options), frame);
+    this->Limits = PointLimits(this->Options);
     this->Output.Slack = Slack(
       std::max({ frame.Extent, this->Options.Tolerance.value_or(0.0), MaxFinite(this->Limits) }));
     if (!this->Options.OneSided || this->Options.WithBoundaries)
@@ -197,8 +210,8 @@ private:
 
   const Surface& Reference;
   const Surface& Result;
-  const CertificateOptions& Options;
-  const std::vector<double> Limits; // mm, at each point of the reference; empty without a map
+  CertificateOptions Options;
+  std::vector<double> Limits; // mm, at each point of the reference; empty without a map
   Stages Progress;
   EdgeSides ReferenceSides, ResultSides;
   BoundarySet ReferenceBoundary, ResultBoundary;
