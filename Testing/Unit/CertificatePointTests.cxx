@@ -117,6 +117,14 @@ TEST(CertificateMeans, OfParallelPlatesAreTheirDistance)
   EXPECT_NEAR(found.ReferenceToResult.Mean.Area, 100.0, 1e-9);
 }
 
+TEST(CertificateMeans, AreNotRefinedBelowRounding)
+{
+  const Surface ball = Icosphere(2, 10.0);
+  const Certificate found = Certify(ball, ball, WithEverything());
+  EXPECT_LE(found.ReferenceToResult.Mean.Mean, found.Slack);
+  EXPECT_LE(found.ReferenceToResult.Mean.Samples, 1 << 16);
+}
+
 TEST(CertificateMeans, EqualTheIntegralWithinTheReportedError)
 {
   // A plate above a tilted one: the distance rises linearly, d = h cos(angle).

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace bonedecimate;
 using namespace bonedecimate::testsupport;
 
@@ -77,6 +79,8 @@ TEST(PairWarnings, NameAResultThatIsInsideOutCrossedOrTheSame)
     Warnings(ball, ball), Sentences({ "the reference and the result have the same triangles" }));
   EXPECT_EQ(Warnings(ball, TurnedInsideOut(ball)),
     Sentences({ "the result is inside out, compared with the reference" }));
+  EXPECT_EQ(Warnings(TurnedInsideOut(ball), ball),
+    Sentences({ "the reference is inside out, compared with the result" }));
   const Sentences crossed = Warnings(ball, Together(ball, Moved(ball, { 7.0, 0.0, 0.0 })));
   ASSERT_EQ(crossed.size(), 1U);
   EXPECT_NE(
@@ -87,6 +91,9 @@ TEST(PairWarnings, NameSizesThatMayBeOfAnotherUnit)
 {
   const Surface ball = Ball(20.0, 0.0);
   EXPECT_EQ(PairSizeWarnings(ball, ball, 17.0), Sentences());
+  Surface unused = ball;
+  unused.Points.emplace_back(1e6, 0.0, std::nan("")); // of no triangle
+  EXPECT_EQ(PairSizeWarnings(unused, ball, 17.0), Sentences());
   EXPECT_EQ(PairSizeWarnings(ball, ball, 18.0),
     Sentences({ "the tolerance of 18 mm is more than a quarter of the diagonal of the reference's "
                 "bounding box, 69.282 mm; the coordinates may not be in millimeters" }));

@@ -150,7 +150,8 @@ void AddSettings(CLI::App& command, SettingsRecord& record)
     .add_option_function<std::string>("--profile", ignore,
       WrappedHelp(
         "Set the options of this profile that the command line does not set: built in are " +
-        CLI::detail::join(ProfileNames(), ", ") + "; others are in the file of --config."))
+        CLI::detail::join(ProfileNames(), ", ") +
+        ", for decimate and levels; others are in the file of --config."))
     ->type_name("PROFILE")
     ->configurable(false);
   command

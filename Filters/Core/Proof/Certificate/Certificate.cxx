@@ -265,8 +265,8 @@ const char* ProofStatusWord(ProofStatus status)
 
 const char* StatusSentence(CertificateStatus status)
 {
-  static const char* const sentences[] = { "", "the reference has no triangles",
-    "the result has no triangles",
+  static const char* const sentences[] = { "", "the reference has no triangle with an area",
+    "the result has no triangle with an area",
     "the reference has a triangle with a point that is missing, not finite or beyond 1e30 mm",
     "the result has a triangle with a point that is missing, not finite or beyond 1e30 mm",
     "a tolerance is infinite or negative, or a map has not one for each point of the reference",

@@ -332,7 +332,7 @@ void DirectedSearch::AddStatistics(Stages& progress, double weight)
   if (options.WithMeans)
   {
     this->Output.Mean = FindMeanDistance(this->Source, *this->To, this->PointDistances,
-      options.MeanPrecision, this->Goal.NumberOfThreads, monitor);
+      options.MeanPrecision, this->Task.Slack, this->Goal.NumberOfThreads, monitor);
   }
   if (options.WithPointDistances && progress.ShouldContinue())
   {

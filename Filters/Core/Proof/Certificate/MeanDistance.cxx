@@ -52,12 +52,13 @@ struct Sums
 
 /// The number of samples that probably reaches the precision; 0 if it is reached or the count is at
 /// its maximum.
-std::size_t NextCount(std::size_t count, const MeanDistance& mean, double precision)
+std::size_t NextCount(
+  std::size_t count, const MeanDistance& mean, double precision, double rounding)
 {
   const auto isReached = [&](double factor)
   {
-    return mean.MeanError <= factor * precision * mean.Mean &&
-      mean.RootMeanSquareError <= factor * precision * mean.RootMeanSquare;
+    return mean.MeanError <= std::max(factor * precision * mean.Mean, rounding) &&
+      mean.RootMeanSquareError <= std::max(factor * precision * mean.RootMeanSquare, rounding);
   };
   if (isReached(1.0) || count >= MaxSamples)
   {
@@ -83,7 +84,7 @@ public:
     this->Integrate();
   }
 
-  MeanDistance Run(double precision, const Monitor& monitor)
+  MeanDistance Run(double precision, double rounding, const Monitor& monitor)
   {
     MeanDistance mean;
     mean.Area = this->Areas.back();
@@ -94,7 +95,7 @@ public:
       {
         return {};
       }
-      count = NextCount(count, mean, precision);
+      count = NextCount(count, mean, precision, rounding);
     }
     return mean;
   }
@@ -209,8 +210,8 @@ private:
 }
 
 MeanDistance FindMeanDistance(const Simplices& source, const Target& target,
-  const PointValues& values, double precision, int threads, const Monitor& monitor)
+  const PointValues& values, double precision, double rounding, int threads, const Monitor& monitor)
 {
-  return MeanSearch(source, target, values, threads).Run(precision, monitor);
+  return MeanSearch(source, target, values, threads).Run(precision, rounding, monitor);
 }
 }

@@ -25,8 +25,10 @@
 namespace bonedecimate::certificate
 {
 /// @param precision Relative, 0 to 1; of the mean and of the root mean square.
+/// @param rounding mm; an error that is not larger is small enough.
 MeanDistance FindMeanDistance(const Simplices& source, const Target& target,
-  const PointValues& values, double precision, int threads, const Monitor& monitor);
+  const PointValues& values, double precision, double rounding, int threads,
+  const Monitor& monitor);
 }
 
 #endif

@@ -57,7 +57,9 @@ std::vector<std::string> PairWarnings(const PairFigures& pair)
   }
   if (IsInsideOut(before.Surface, after.Surface))
   {
-    warnings.emplace_back("the result is inside out, compared with the reference");
+    warnings.emplace_back(before.Surface.Volume < 0.0
+        ? "the reference is inside out, compared with the result"
+        : "the result is inside out, compared with the reference");
   }
   if (after.Surface.NonManifoldEdges > before.Surface.NonManifoldEdges)
   {

@@ -15,9 +15,9 @@
 
 namespace bonedecimate
 {
-/// A sentence for each: missing components, a closed result that is inside out, more non-manifold
-/// edges, more intersecting pairs of triangles, and two surfaces that are the same. Empty unless
-/// both were measured.
+/// A sentence for each: missing components, one of two closed surfaces that is inside out, more
+/// non-manifold edges, more intersecting pairs of triangles, and two surfaces that are the same.
+/// Empty unless both were measured.
 std::vector<std::string> PairWarnings(const PairFigures& pair);
 
 /// The same after the warnings of sizes, PairSizeWarnings.

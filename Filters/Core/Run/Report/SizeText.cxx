@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 namespace bonedecimate
 {
@@ -17,6 +18,25 @@ std::string Millimeters(double length)
   char text[40];
   std::snprintf(text, sizeof(text), "%.6g mm", length);
   return text;
+}
+
+/// mm, of the bounding box of the points that triangles use.
+double UsedDiagonal(const Surface& surface)
+{
+  Vector3 least = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 most = -least;
+  for (const Triangle& triangle : surface.Triangles)
+  {
+    for (const Index corner : triangle)
+    {
+      if (corner >= 0 && static_cast<std::size_t>(corner) < surface.Points.size())
+      {
+        least = least.cwiseMin(surface.Points[static_cast<std::size_t>(corner)]);
+        most = most.cwiseMax(surface.Points[static_cast<std::size_t>(corner)]);
+      }
+    }
+  }
+  return least[0] <= most[0] ? (most - least).norm() : 0.0;
 }
 
 /// "the largest error of 50 mm"
@@ -61,8 +81,8 @@ std::vector<std::string> SizeWarnings(const SizeFigures& size)
 std::vector<std::string> PairSizeWarnings(
   const Surface& reference, const Surface& result, double tolerance)
 {
-  const double before = DiagonalOf(reference.Points);
-  const double after = DiagonalOf(result.Points);
+  const double before = UsedDiagonal(reference);
+  const double after = UsedDiagonal(result);
   std::vector<std::string> warnings;
   const std::string units = "; the coordinates may not be in millimeters";
   if (before > 0.0 && tolerance > LargestErrorRatio * before)
