@@ -141,7 +141,7 @@ std::array<std::string, 2> Violation(const ReportFields& report, const std::stri
     " mm from the other.";
   if (const std::string excess = LargestExcess(report); !excess.empty())
   {
-    return { ExceedingText(report, excess, 0.0) + " beyond the tolerance of a point",
+    return { ExceedingText(report, excess, 0.0) + " too far",
       OwnerOf(excess) + at(excess) +
         " is that far beyond its tolerance. No point of either surface is" + farthest };
   }

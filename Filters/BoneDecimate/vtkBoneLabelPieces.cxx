@@ -45,6 +45,17 @@ struct vtkBoneLabelPieces::Internals
   }
 };
 
+namespace
+{
+/// Why nothing was changed.
+std::string ReasonOf(const bonedecimate::PieceCounts& counts)
+{
+  return counts.HoldsBackground
+    ? bonedecimate::LabelSurfaceMessage(bonedecimate::LabelSurfaceStatus::LabelOutOfRange)
+    : "the labels are of a type that does not hold BackgroundLabel";
+}
+}
+
 vtkStandardNewMacro(vtkBoneLabelPieces);
 
 vtkBoneLabelPieces::vtkBoneLabelPieces()
@@ -188,10 +199,9 @@ int vtkBoneLabelPieces::RequestData(vtkInformation* vtkNotUsed(request),
     { internal.Labels, this->BackgroundLabel,
       { this->IslandSize, this->IslandArea, this->IslandVolume }, this->CavityVolume },
     changed->GetVoidPointer(0), labels.Image.Type, labels.Image.Grid);
-  if (!internal.Counts.FitInt64)
+  if (!internal.Counts.HoldsBackground || !internal.Counts.FitInt64)
   {
-    vtkErrorMacro(<< bonedecimate::LabelSurfaceMessage(
-                    bonedecimate::LabelSurfaceStatus::LabelOutOfRange));
+    vtkErrorMacro(<< ReasonOf(internal.Counts));
     return 0;
   }
   vtkImageData* output = vtkImageData::GetData(outputVector);

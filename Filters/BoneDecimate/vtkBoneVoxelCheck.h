@@ -77,7 +77,8 @@ public:
 
   /**
    * How many voxels the last update compared; 0 before the first one and after an error. The
-   * outermost voxels of an open surface are not compared.
+   * outermost voxels of an open surface are not compared, and its rows along x that no triangle
+   * crosses count as unchanged.
    */
   vtkTypeInt64 GetNumberOfComparedVoxels() const;
 

@@ -32,6 +32,25 @@ class Results(unittest.TestCase):
         made.points *= 1.01
         self.assertNotIn("proof.status", made.bone.report)
 
+    def test_labels_of_any_type_and_byte_order_are_those_of_the_mesh(self):
+        mesh = pyvista_test.bone()
+        labels = np.arange(mesh.n_cells) % 2
+        for kind in ("?", ">i4", ">f8", "f2", "g", "u1"):
+            result = bonedecimate.decimate(mesh, labels=labels.astype(kind), target_reduction=0.5)
+            np.testing.assert_array_equal(np.asarray(result.to_pyvista().cell_data["Labels"], float), np.asarray(result.labels, float), kind)
+        mesh.bone.decimate(labels=labels.astype("f2"), target_reduction=0.5)
+
+    def test_a_stopped_comparison_has_no_mesh_of_distances(self):
+        mesh = pyvista_test.bone()
+        with self.assertRaisesRegex(bonedecimate.Aborted, "the comparison was stopped"):
+            mesh.bone.distance_to(mesh, progress=lambda fraction: False)
+
+    def test_a_profile_without_its_error_is_no_target(self):
+        with self.assertRaisesRegex(ValueError, "max_error=0 sets no limit"):
+            bonedecimate.decimate(pyvista_test.bone(), profile="planning", max_error=0)
+        mesh = pyvista_test.bone()
+        self.assertEqual(bonedecimate.smooth(mesh.points, mesh.regular_faces, 0.1, max_error=0).triangles.shape, mesh.regular_faces.shape)
+
     def test_of_a_stopped_comparison_are_the_bounds_proved_until_then(self):
         mesh = pyvista_test.bone()
         original = np.asarray(mesh.points), mesh.regular_faces

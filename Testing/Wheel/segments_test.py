@@ -48,6 +48,26 @@ def tensor(space):
     return MetaTensorStandIn(labels()[np.newaxis], affine, {"space": space} if space else {})
 
 
+class SegmentNames(unittest.TestCase):
+    MAP = LabelMap(np.where(labels() == 2, 3, labels()) + 2 * (np.indices(labels().shape)[0] == 29).astype(np.uint8), axes="xyz")
+
+    def test_none_takes_the_place_of_another(self):
+        with self.assertWarnsRegex(UserWarning, "labels 1 and 3 have the same name, 'a'; that of 3 is 'a_3_3' here"):
+            found = segments(self.MAP, names={1: "a", 2: "a_3", 3: "a"})
+        self.assertEqual({name: one.label for name, one in found.items()}, {"a": 1, "a_3": 2, "a_3_3": 3})
+
+    def test_the_error_is_half_a_voxel_unless_there_is_a_goal(self):
+        one, two = segments(self.MAP), segments(self.MAP, threads=1)
+        self.assertEqual(one.result.proved_error, two.result.proved_error)
+        self.assertTrue(np.isnan(segments(self.MAP, target_reduction=0.5).result.proved_error))
+
+    def test_what_is_chosen_is_a_whole_number_and_there(self):
+        with self.assertRaises(TypeError):
+            segments(self.MAP, choose=[2.7])
+        with self.assertRaisesRegex(ValueError, "no voxel belongs to femur"), self.assertWarns(UserWarning):
+            segments(self.MAP, names={5: "femur"}, choose="femur")
+
+
 class SegmentsTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

@@ -51,6 +51,26 @@ class Runs(unittest.TestCase):
         self.assertEqual(decimate(surfaces, max_error=0.6).report["voxels.guard"], "off")
         self.assertNotIn("voxels.changed", decimate(*surfaces, target_reduction=0.9).report)
 
+    def test_labels_of_64_bits_are_exact_or_rejected(self):
+        surface = extract_surfaces(ONE)
+        wide = LabelMap(4 * ONE.labels.astype(np.uint64), spacing=SPACING, origin=ORIGIN, direction=TURN)
+        self.assertEqual(check_voxels(tuple(surface), wide, label=np.uint64(4)).changed, 0)
+        with self.assertRaisesRegex(ValueError, "the label map has no voxel with the label 5"):
+            check_voxels(tuple(surface), wide, label=5)
+        beyond = LabelMap(np.where(ONE.labels, np.uint64(2**64 - 3), np.uint64(0)), spacing=SPACING, origin=ORIGIN, direction=TURN)
+        with self.assertRaisesRegex(ValueError, "label"):
+            check_voxels(tuple(surface), beyond, label=-3)
+
+    def test_a_background_that_the_labels_cannot_hold_is_rejected(self):
+        for background in (300, -1):
+            with self.assertRaisesRegex(ValueError, "does not hold the background"):
+                bonedecimate.change_pieces(LabelMap(np.ones((8, 8, 8), np.uint8), axes="zyx"), background=background, island_volume=2)
+
+    def test_results_do_not_share_their_labels_with_the_input(self):
+        surfaces = extract_surfaces(MAP)
+        decimate(surfaces, target_reduction=0.5).label_values[:] = 77
+        self.assertNotIn(77, surfaces.label_values)
+
     def test_count_the_voxels_that_they_change_by_label(self):
         small = decimate(extract_surfaces(MAP), **COARSE)
         found = labels_by_winding(small)

@@ -173,6 +173,10 @@ nb::tuple Change(const VolumeInOut& labels, const std::array<double, 3>& origin,
     const nb::gil_scoped_release others;
     counts = ChangePieces(options, labels.data(), TypeOf(labels.dtype()), grid);
   }
+  if (!counts.HoldsBackground)
+  {
+    throw nb::value_error("the type of the labels does not hold the background");
+  }
   if (!counts.FitInt64)
   {
     throw nb::value_error(LabelSurfaceMessage(LabelSurfaceStatus::LabelOutOfRange));

@@ -118,8 +118,9 @@ void CheckOneBone(const Arguments& arguments)
     "--iso is for volumes; '" + arguments.Inputs[0] + "' is none: read are " + ReadVolumesText());
   CheckPrecision(arguments);
   CheckUnit(arguments);
-  RequireDistinct(
-    OutputsOf(arguments), { arguments.Inputs[0], arguments.Reference, arguments.LabelMap.Path });
+  RequireDistinct(OutputsOf(arguments),
+    { arguments.Inputs[0], arguments.Reference, arguments.LabelMap.Path,
+      arguments.Segments.LabelNames });
   RequireExtension("--report", arguments.Report, { "json" });
   RequireExtension("--page", arguments.Page, { "html", "htm" });
 }

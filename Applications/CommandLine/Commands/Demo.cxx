@@ -8,6 +8,7 @@
 #include "CommandLine.h"
 #include "ExitCode.h"
 #include "FilePath.h"
+#include "Files/StagedFile.h"
 #include "PhantomScan.h"
 #include "PlainText.h"
 #include "Report/Summary.h"
@@ -15,8 +16,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -28,14 +32,30 @@ namespace
 constexpr const char* ThresholdOfBone = "226"; // HU
 constexpr const char* LargestError = "0.5";    // mm
 
+bool HaveSameBytes(const std::string& a, const std::string& b)
+{
+  using Bytes = std::istreambuf_iterator<char>;
+  std::ifstream one(FilePath(a), std::ios::binary);
+  std::ifstream two(FilePath(b), std::ios::binary);
+  return std::equal(Bytes(one), Bytes(), Bytes(two), Bytes());
+}
+
+/// @throws Failure(ExitCode::Usage) if another file of that name is there.
 std::string WriteScan(const std::string& path, phantom::Content content)
 {
   std::error_code error;
   std::filesystem::create_directories(FilePath(path).parent_path(), error);
-  if (error || !phantom::WriteScan(path, *phantom::FindScan("small"), content))
+  StagedFile file(path);
+  if (error || !phantom::WriteScan(file.GetTemporary(), *phantom::FindScan("small"), content))
   {
     throw Failure(ExitCode::CouldNotWrite, "could not write '" + path + "'");
   }
+  if (std::filesystem::exists(FilePath(path), error) && !HaveSameBytes(path, file.GetTemporary()))
+  {
+    throw Failure(ExitCode::Usage,
+      "'" + path + "' is there and is not the phantom's; give demo another folder");
+  }
+  file.Commit();
   return path;
 }
 

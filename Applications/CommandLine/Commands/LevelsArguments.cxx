@@ -179,6 +179,7 @@ void AddLevelsCommand(CLI::App& program)
 void KeepSurfaces(const LevelsArguments& arguments, const std::string& level)
 {
   RequireDistinct({ level, arguments.Page, arguments.Record },
-    { arguments.Files[0], arguments.On, arguments.Voxels.Map.Path, arguments.Input.Reference });
+    { arguments.Files[0], arguments.On, arguments.Log, arguments.Voxels.Map.Path,
+      arguments.Input.Reference });
 }
 }

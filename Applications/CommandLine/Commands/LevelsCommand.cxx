@@ -110,6 +110,7 @@ public:
     if (!this->Requested.On.empty())
     {
       this->Filter->SetInputData(1, this->ReadOne(this->Requested.On));
+      this->SetGrid(); // of that surface
     }
   }
 
@@ -217,7 +218,9 @@ private:
     const SurfaceFormat* const format = FindFormat(this->Requested.Output);
     if (format != nullptr && format->HasGrid)
     {
-      this->GridStep = GridStepFor(vtkPolyData::SafeDownCast(this->Filter->GetInput()),
+      vtkDataObject* const other = this->Filter->GetInputDataObject(1, 0); // of --on
+      vtkDataObject* const own = this->Filter->GetInput();
+      this->GridStep = GridStepFor(vtkPolyData::SafeDownCast(other != nullptr ? other : own),
         this->Requested.MaximumError, MostPositionBits, this->Requested.Files[0]);
     }
   }

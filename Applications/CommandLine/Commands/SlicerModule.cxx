@@ -42,7 +42,8 @@ bool IsFlag(const std::string& word)
 /// Slicer's --max_error is --max-error.
 std::string OwnFlag(std::string word)
 {
-  std::replace(word.begin(), word.end(), '_', '-');
+  const auto end = std::find(word.begin(), word.end(), '=');
+  std::replace(word.begin(), end, '_', '-');
   return word;
 }
 
@@ -107,7 +108,8 @@ void AddRegion(const std::string& text, Arguments& arguments)
     inside.Numbers.push_back(n[axis] - half);
     inside.Numbers.push_back(n[axis] + half);
   }
-  inside.Tolerance = arguments.Options.MaximumError;
+  const double largest = arguments.Options.MaximumError;
+  inside.Tolerance = largest > 0.0 ? largest : LengthRange.Maximum; // capped by a preset
   inside.Text = "--roi " + text;
   arguments.Regions.push_back(inside);
   arguments.Regions.push_back({ Region::Rest, {}, 0.0, "rest" });

@@ -47,6 +47,14 @@ StagedFile& OutputFiles::AddSegment(const std::string& target)
   {
     RequireDistinct({ target, surface.GetTarget() }, {});
   }
+  for (const std::optional<StagedFile>* file :
+    { &this->Heatmap, &this->Page, &this->Picture, &this->Report })
+  {
+    if (*file)
+    {
+      RequireDistinct({ target, (*file)->GetTarget() }, {});
+    }
+  }
   return this->Segments.emplace_back(target);
 }
 

@@ -51,10 +51,14 @@ void RequireDistinct(
   {
     const auto isIt = [output](const std::string& other)
     { return !output->empty() && !other.empty() && IsSameFile(*output, other); };
-    if (std::any_of(inputs.begin(), inputs.end(), isIt) ||
-      (!output->empty() && IsPartOfInput(*output, inputs)))
+    if (std::any_of(inputs.begin(), inputs.end(), isIt))
     {
       throw Failure(ExitCode::Usage, "'" + *output + "' is an input; it is not overwritten");
+    }
+    if (!output->empty() && IsPartOfInput(*output, inputs))
+    {
+      throw Failure(ExitCode::Usage,
+        "'" + *output + "' lies in a folder that is an input; it is not overwritten");
     }
     if (std::any_of(output + 1, outputs.end(), isIt))
     {

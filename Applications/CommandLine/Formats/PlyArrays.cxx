@@ -69,7 +69,13 @@ void PlyArrays::AddColors(const PlyElement& element)
     const std::vector<std::string> colors = { prefix + "red", prefix + "green", prefix + "blue" };
     std::vector<std::string> withAlpha = colors;
     withAlpha.emplace_back("alpha");
-    if (this->AddGroup(element, "RGBA", vtkDataSetAttributes::SCALARS, withAlpha) ||
+    const std::size_t red = element.IndexOf(colors[0]);
+    const std::size_t alpha = element.IndexOf("alpha");
+    const std::size_t count = element.Properties.size();
+    const bool isAlphaOfThem = red < count && alpha < count &&
+      element.Properties[red].Type == element.Properties[alpha].Type;
+    if ((isAlphaOfThem &&
+          this->AddGroup(element, "RGBA", vtkDataSetAttributes::SCALARS, withAlpha)) ||
       this->AddGroup(element, "RGB", vtkDataSetAttributes::SCALARS, colors))
     {
       return;

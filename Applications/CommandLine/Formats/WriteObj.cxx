@@ -119,8 +119,15 @@ private:
     }
     for (vtkIdType i = 0; !this->Textures.empty() && i < count; ++i)
     {
-      this->WriteTuple("vt", this->TextureOf(i), i);
-      this->Output.Add("\n");
+      if (vtkDataArray* const texture = this->TextureOf(i); texture != nullptr)
+      {
+        this->WriteTuple("vt", texture, i);
+        this->Output.Add("\n");
+      }
+      else
+      {
+        this->Output.Add("vt -1 -1\n"); // keeps the numbers of the others
+      }
     }
     for (vtkIdType i = 0; this->Normals != nullptr && i < count; ++i)
     {

@@ -274,13 +274,24 @@ SegmentSelection SelectionOf(const SegmentArguments& arguments, const std::strin
   }
   const LabelTable table =
     arguments.LabelNames.empty() ? FindTableBeside(path).Table : TableOfArguments(arguments);
-  return [arguments, word, table](std::int64_t label, const std::string& nameInFile)
+  return [arguments, table](const std::vector<NamedSegment>& all)
   {
-    const NamedLabel segment{ label, NameOfSegment(label, PlainText(nameInFile), table), {} };
-    const std::vector<std::string> words = WordsOf({ segment }, arguments.Choice);
-    return std::any_of(words.begin(), words.end(),
-      [&segment, &table](const std::string& text)
-      { return IsChosenBy(segment, Trimmed(text), true, table.Regions); });
+    std::vector<NamedLabel> segments;
+    for (const NamedSegment& one : all)
+    {
+      segments.push_back({ one.Label, NameOfSegment(one.Label, PlainText(one.Name), table), {} });
+    }
+    std::vector<bool> areChosen(all.size(), false);
+    for (const std::string& text : WordsOf(segments, arguments.Choice))
+    {
+      const bool meansPreset = MeansPreset(Trimmed(text), segments);
+      for (std::size_t i = 0; i < all.size(); ++i)
+      {
+        areChosen[i] =
+          areChosen[i] || IsChosenBy(segments[i], Trimmed(text), meansPreset, table.Regions);
+      }
+    }
+    return areChosen;
   };
 }
 }

@@ -210,11 +210,12 @@ LayeredVolume OpenFolder(
   {
     return RejectedLayers(choice.Problem);
   }
+  const std::size_t notImages = files.size() - scanned.Images - scanned.Segmentations.size();
   if (choice.Index >= groups.size() && !scanned.Segmentations.empty())
   {
     LayeredVolume volume =
       OpenDicomSegmentation(scanned.Segmentations[choice.Index - groups.size()], selection);
-    AppendNote(volume.Header.Note, LeftAsideNote(files.size() - 1));
+    AppendNote(volume.Header.Note, LeftAsideNote(notImages));
     return volume;
   }
   if (scanned.Slices.empty() && !scanned.FramesOfImages.empty())
@@ -224,7 +225,7 @@ LayeredVolume OpenFolder(
   DicomSeries taken = TakeSeries(groups, choice.Index, choice.IsRequested, folder);
   const std::string damage = DamageProblem(scanned.Damaged, taken.Slices);
   taken.Problem = damage.empty() ? taken.Problem : damage;
-  const std::string others = LeftAsideNote(files.size() - scanned.Images);
+  const std::string others = LeftAsideNote(notImages);
   taken.Note += (taken.Note.empty() || others.empty() ? "" : " ") + others;
   return LayersOfSeries(taken);
 }

@@ -229,7 +229,8 @@ Volume ReadMasks(const std::string& folder, const SegmentSelection& selection)
       return RejectedVolume(files[i].filename().string() + ": " + problem);
     }
   }
-  volume.Note = OverlapNote(overlap);
+  volume.Note = first.Note;
+  AppendNote(volume.Note, OverlapNote(overlap));
   AddLabelFields(segments, volume.Image->GetFieldData());
   volume.Image->GetFieldData()->RemoveArray(LabelNumberNames[1]); // masks have no colors
   return volume;

@@ -10,14 +10,21 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace bonedecimate
 {
 /// Why a map in which all voxels are background is rejected. A batch passes over it.
 inline constexpr const char* NoLabelReason = "none of its voxels has a label";
 
-/// Whether the segment is wanted. Empty: all are.
-using SegmentSelection = std::function<bool(std::int64_t label, const std::string& name)>;
+struct NamedSegment
+{
+  std::int64_t Label;
+  std::string Name; ///< In the file.
+};
+
+/// For each of all segments of a file, whether it is wanted. Empty: all are.
+using SegmentSelection = std::function<std::vector<bool>(const std::vector<NamedSegment>& all)>;
 }
 
 #endif

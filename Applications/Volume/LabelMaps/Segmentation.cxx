@@ -101,7 +101,8 @@ std::string LayersNote(const Overlap& overlap, bool isRenumbered, std::size_t se
   if (isRenumbered)
   {
     note += std::string(note.empty() ? "" : "; ") + "its segments get the labels 1 to " +
-      std::to_string(segments) + ", because those of the file repeat between its layers";
+      std::to_string(segments) +
+      ", because those of the file repeat between its layers or are above 65535";
   }
   return note;
 }
@@ -149,13 +150,12 @@ std::vector<Segment> ReadSegments(const std::function<std::string(const std::str
 std::vector<bool> ChosenSegments(
   const std::vector<Segment>& segments, const SegmentSelection& selection)
 {
-  std::vector<bool> isChosen;
-  isChosen.reserve(segments.size());
+  std::vector<NamedSegment> all;
   for (const Segment& segment : segments)
   {
-    isChosen.push_back(!selection || selection(segment.Label, segment.Name));
+    all.push_back({ segment.Label, segment.Name });
   }
-  return isChosen;
+  return selection ? selection(all) : std::vector<bool>(all.size(), true);
 }
 
 Volume CombinedLayers(

@@ -23,11 +23,12 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t LongestHeader = std::uint64_t(1) << 28;
 constexpr std::size_t MostKeys = 10000; // that the library reads in less than a second
 
-bool IsFinite(const std::string& text)
+/// Numbers, all of them finite.
+bool AreFinite(const std::string& text)
 {
   const auto numbers = ParseNumbers(text);
-  return numbers &&
-    std::any_of(
+  return numbers && !numbers->empty() &&
+    std::all_of(
       numbers->begin(), numbers->end(), [](double value) { return std::isfinite(value); });
 }
 
@@ -71,7 +72,7 @@ bool NrrdText::HasSpacing() const
   {
     directions.erase(at, 4);
   }
-  return IsFinite(directions) || IsFinite(this->FieldOf("spacings"));
+  return AreFinite(directions) || AreFinite(this->FieldOf("spacings"));
 }
 
 NrrdText ReadNrrdText(const std::string& path)

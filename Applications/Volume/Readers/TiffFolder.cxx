@@ -8,6 +8,7 @@
 #include "TextNumbers.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -95,7 +96,8 @@ std::vector<fs::path> TiffFiles(const std::string& folder)
   return files;
 }
 
-/// How many characters all names have in common at their beginning.
+/// How many characters all names have in common at their beginning, but for digits at its end: they
+/// are of the number that follows.
 std::size_t CommonBeginning(const std::vector<std::string>& names)
 {
   std::size_t common = names.front().size();
@@ -105,6 +107,10 @@ std::size_t CommonBeginning(const std::vector<std::string>& names)
       name.begin() + static_cast<std::ptrdiff_t>(std::min(common, name.size())),
       names.front().begin());
     common = static_cast<std::size_t>(end.first - name.begin());
+  }
+  while (common > 0 && std::isdigit(static_cast<unsigned char>(names.front()[common - 1])) != 0)
+  {
+    --common;
   }
   return common;
 }

@@ -160,6 +160,10 @@ Volume ReadVti(const std::string& path)
   {
     return RejectedVolume("it has no array of one value a voxel");
   }
+  if (scalars->GetDataType() == VTK_BIT)
+  {
+    return RejectedVolume("its voxels are single bits; save them as unsigned char");
+  }
   Volume volume;
   volume.Geometry = Geometry(image);
   volume.Layers = ReadLayers(image, volume.Geometry);

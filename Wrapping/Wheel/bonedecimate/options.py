@@ -152,7 +152,8 @@ def read(keywords: Mapping[str, object], function: Callable, profile: str | None
             raise TypeError(_unknown(key, [name for name in known if name != "self"], function._without))
         assign(options, key, value)
     zeros = [key for key in ("max_error", "target_triangles") if key in keywords and not keywords[key]]
-    has_target = has_tolerances or profile or "target_reduction" in keywords or any(keywords.get(key) for key in _TARGETS)
+    has_target = (has_tolerances or "target_reduction" in keywords or any(keywords.get(key) for key in _TARGETS)
+                  or not {*_TARGETS, "target_reduction"}.isdisjoint(profile_options(profile, keywords)))
     if zeros and not has_target:
         raise ValueError(f"{zeros[0]}=0 sets no limit, so that nine tenths of the triangles would go; target_reduction=0 removes none")
     return options

@@ -36,6 +36,15 @@ def numbers(array) -> NDArray:
     return np.asarray(memoryview(array)).reshape(array.GetNumberOfTuples(), array.GetNumberOfComponents())
 
 
+def for_vtk(values: NDArray) -> NDArray:
+    """The same values as numbers that VTK has, in the byte order of this system."""
+    if values.dtype.kind == "b":
+        return values.astype(np.uint8)
+    if values.dtype.kind == "f" and values.dtype.itemsize not in (4, 8):
+        return values.astype(np.float64)
+    return values.astype(values.dtype.newbyteorder("="), copy=False)
+
+
 def array_names(data: vtkDataSetAttributes) -> str:
     """Of the arrays, for a sentence that one is missing."""
     names = [f"'{data.GetArrayName(i)}'" for i in range(data.GetNumberOfArrays()) if data.GetArrayName(i)]

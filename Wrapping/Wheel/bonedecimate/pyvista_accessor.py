@@ -22,8 +22,8 @@ from .label_maps import LabelSurfaces, extract_surfaces
 from .label_pieces import PieceChanges, change_pieces
 from .levels import Levels, open_levels, record_levels
 from .options import number, read, require_keywords, switch, takes_options, unsupported, words
-from .polydata import surface_of
-from .progress import Progress, listener
+from .polydata import for_vtk, surface_of
+from .progress import Aborted, Progress, listener
 from .report import Report
 from .run import endings, fill_input_copy, fill_output, run, set_report
 from .surface_report import report_of
@@ -196,7 +196,8 @@ class BoneAccessor:
             mesh.point_data[key] = (edge_lengths_from(array, mesh.n_points, values) if is_length else tolerances_from(array, mesh.n_points))
             values.set(option, key)
         if labels is not None:
-            mesh.cell_data[LABELS] = labels_from(labels, mesh.n_cells, "cells")[0]
+            own = labels_from(labels, mesh.n_cells, "cells")[0]
+            mesh.cell_data[LABELS] = own if own.dtype.kind == "b" else for_vtk(own)
             values.set("LabelArrayName", LABELS)
         return mesh
 
@@ -272,7 +273,10 @@ class BoneAccessor:
 
         Field data: the certificate, proved bounds of the largest distance in each direction and of the boundaries.
         """
-        return self._with_distances(self.certify(other, **keywords))
+        certificate = self.certify(other, **keywords)
+        if certificate.stopped:
+            raise Aborted("the comparison was stopped, and distances of points are missing")
+        return self._with_distances(certificate)
 
     def _with_distances(self, certificate: Certificate) -> pv.PolyData:
         copy = self._mesh.copy()

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _core
 from .label_arrays import BOUNDARY_LABELS, LABEL_VALUES, add_grid
-from .polydata import points_of, set_triangles
+from .polydata import for_vtk, points_of, set_triangles
 from .run import set_report
 from .surface_report import REPORT
 
@@ -49,7 +49,7 @@ def mesh_of(result: Result) -> vtkPolyData:
 def _add(data: vtkFieldData, name: str, values: NDArray, unit: str = "") -> None:
     """Nothing for an empty array."""
     if len(values):
-        array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+        array = numpy_to_vtk(np.ascontiguousarray(for_vtk(values)), deep=True)
         array.SetName(name)
         if unit:
             array.SetComponentName(0, unit)

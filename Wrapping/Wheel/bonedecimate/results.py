@@ -68,7 +68,7 @@ class Result:
         self.report_as_json = outcome["json"]
         self.report_of_surface = outcome["entries_of_surface"], outcome["json_of_surface"]  # as meshes carry it
         self.grid = source and source.grid
-        self.label_values = source.label_values if source else np.empty(0, np.int64)
+        self.label_values = source.label_values.copy() if source else np.empty(0, np.int64)
         self.boundary_labels = source.values_of(outcome["boundary_labels"]) if source else np.empty((0, 2), np.int64)
 
     def label(self, value: int) -> tuple[NDArray[np.float64], NDArray[np.int32]]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import importlib
 import numbers
+import operator
 import os
 import pathlib
 import warnings
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     import trimesh
 
 HALF_A_VOXEL = {"preset": "HalfVoxel", "auto_smooth": True}
+# With one of these a run has a goal of its own.
+_GOALS = {"max_error", "preset", "profile", "target_reduction", "target_triangles", "tolerances", "smooth", "auto_smooth", "mode"}
 
 
 class Segment(NamedTuple):
@@ -57,12 +60,15 @@ class Segments(Mapping[str, Segment]):
 
     def __init__(self, result: Result, names: Mapping[int, str], labels: Iterable[int]) -> None:
         self.result, self.empty, self._segments = result, [], {}
-        for label in labels:
-            name = names.get(label, f"label_{label}")
-            if name in self._segments:
-                both = f"labels {self._segments[name].label} and {label} have the same name, '{name}'"
-                name = f"{name}_{label}"
+        named = {label: names.get(label, f"label_{label}") for label in labels}
+        firsts: dict[str, int] = {}
+        for label, name in named.items():
+            if name in firsts:
+                both = f"labels {firsts[name]} and {label} have the same name, '{name}'"
+                while name in firsts or name in named.values():
+                    name += f"_{label}"
                 warnings.warn(f"{both}; that of {label} is '{name}' here", stacklevel=3)
+            firsts[name] = label
             if (result.boundary_labels == label).any():
                 self._segments[name] = Segment(name, label, *result.label(label))
             else:
@@ -106,7 +112,7 @@ def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[in
     model_grid
         Take the coarser map of a network from which the labels were copied, and its voxels: see `LabelMap.on_model_grid`.
     progress, options
-        As `decimate` takes them. Default: half a voxel as the largest error, with smoothing within it.
+        As `decimate` takes them. Without a goal (an error, a target, a profile, smoothing, a mode): half a voxel as the largest error, with smoothing within it.
 
     Raises
     ------
@@ -128,20 +134,26 @@ def segments(source: Union[str, os.PathLike, LabelMapLike], *, names: Mapping[in
     if unknown:
         warnings.warn(f"names has labels that no voxel has: {', '.join(map(str, unknown))}", stacklevel=2)
     names = {**found, **given}
-    chosen = present if choose is None else _chosen([choose] if isinstance(choose, (str, numbers.Integral)) else choose, names, present)
+    wanted = {*present, *names}
+    if choose is not None:
+        wanted = _chosen([choose] if isinstance(choose, (str, numbers.Integral)) else choose, names, present)
+    chosen = [label for label in present if label in wanted]
+    if not chosen:
+        raise ValueError(f"no voxel belongs to {', '.join(names.get(label, str(label)) for label in sorted(wanted))}")
     surfaces = extract_surfaces(label_map, labels=None if choose is None else chosen, model_grid="off")
-    result = decimate(surfaces, label_map=label_map if chosen == present else None, progress=progress, **(options or HALF_A_VOXEL))
-    return Segments(result, names, chosen if choose is not None else sorted({*present, *names}))
+    default = {} if _GOALS & {*options} else HALF_A_VOXEL
+    result = decimate(surfaces, label_map=label_map if chosen == present else None, progress=progress, **default, **options)
+    return Segments(result, names, sorted(wanted))
 
 
-def _chosen(choose: Iterable[int | str], names: Mapping[int, str], present: list[int]) -> list[int]:
+def _chosen(choose: Iterable[int | str], names: Mapping[int, str], present: list[int]) -> set[int]:
     chosen = set()
     for word in choose:
-        labels = [label for label, name in names.items() if name.lower() == word.lower()] if isinstance(word, str) else [int(word)]
+        labels = [label for label, name in names.items() if name.lower() == word.lower()] if isinstance(word, str) else [operator.index(word)]
         if not labels or labels[0] not in {*present, *names}:
             raise ValueError(f"there is no structure {word!r}; there are {', '.join(names.values()) or present}")
         chosen.update(labels)
-    return sorted(chosen & set(present))
+    return chosen
 
 
 def _names_from(names: Mapping[int, str] | Mapping[str, int]) -> dict[int, str]:

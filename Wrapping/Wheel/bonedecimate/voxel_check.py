@@ -138,7 +138,10 @@ class Comparison:
                  label: int | None = None, background: int | None = None) -> None:
         known = surface.source
         self.surface, self.map = surface, label_map_from(label_map, known and known.grid)
-        self.values = np.unique(self.map.labels).astype(np.int64)  # of the map
+        values = np.unique(self.map.labels)  # of the map
+        if values.size and int(values[-1]) > np.iinfo(np.int64).max:
+            raise ValueError("label_map has a label beyond 2^63 - 1")
+        self.values = values.astype(np.int64)
         nothing = 0 if background is None else label_value("background", background)
         source = SurfaceSource(self.map.grid, np.empty(0, np.int64))
         if boundary_labels is not None:
@@ -149,7 +152,7 @@ class Comparison:
                 raise ValueError(f"the surface has the background {known.label_values[-1]}, not {background}")
             source = source._replace(label_values=known.label_values, boundary_labels=known.boundary_labels)
         else:
-            source = source._replace(label_values=np.array([self._enclosed(label, nothing), nothing]))
+            source = source._replace(label_values=np.array([self._enclosed(label, nothing), nothing], np.int64))
             label = None
         if label is not None:
             raise ValueError("label is for a surface without boundary labels")
@@ -174,9 +177,12 @@ class Comparison:
         """The label inside of a surface without boundary labels."""
         others = self.values[self.values != background].tolist()
         if label is not None:
-            if label_value("label", label) == background:
+            value = label_value("label", label)
+            if value == background:
                 raise ValueError(f"label and background are both {background}")
-            return label
+            if value not in others:
+                raise ValueError(f"the label map has no voxel with the label {value}")
+            return value
         if len(others) > 1:
             first = ", ".join(map(str, others[:10])) + (", ..." if len(others) > 10 else "")
             raise ValueError(f"label_map has the labels {first}, and the surface does not say which of them it encloses: give "

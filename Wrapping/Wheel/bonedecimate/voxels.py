@@ -372,6 +372,8 @@ def _decomposed(affine: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.floa
     matrix = np.asarray(affine, dtype=np.float64)
     if matrix.shape != (4, 4):
         raise ValueError(f"affine has the shape (4, 4), not {matrix.shape}")
+    if (matrix[3] != (0, 0, 0, 1)).any():
+        raise ValueError(f"the last row of affine is 0 0 0 1, not {matrix[3]}")
     spacing = np.sqrt((matrix[:3, :3] ** 2).sum(axis=0))
     if not (np.isfinite(spacing).all() and (spacing > 0).all()):
         raise ValueError("affine has an axis without length")

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyDa
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _core
+from .checks import label_value
 from .label_arrays import add_grid
 from .kept import KeepsPrepared
 from .options import ROWS, assign, describe, nearest, words
@@ -83,7 +84,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
 
     def SetLabel(self, label: int) -> None:
         """The label that the input encloses, of a label map with several; 0, the default: the only one."""
-        self._label = int(label)
+        self._label = label_value("label", label)
         self.Modified()
 
     def GetLabel(self) -> int:
@@ -254,7 +255,7 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
         return copy
 
     def _run(self, data: vtkPolyData, reference: vtkPolyData | None, output: vtkPolyData, input_copy: vtkPolyData) -> int:
-        outcome, surface = run(data, self._options, self._goes_on, reference, self._input_arrays(data), self._kept())
+        outcome, surface = run(data, self._options, self._should_continue, reference, self._input_arrays(data), self._kept())
         self._entries, self._json, self._stop, self._rejected_edits = (outcome[name] for name in ("entries", "json", "stop", "rejected_edits"))
         status = outcome["status"]
         if status == _core.InputStatus.NoTriangles:
@@ -288,12 +289,10 @@ class vtkBoneDecimate(KeepsPrepared, VTKPythonAlgorithmBase):
                 kind = "cell or point array" if is_label else "point array"
                 name = information.Get(vtkDataObject.FIELD_NAME())
                 raise ValueError(f"the input has no {kind} " + (f"'{name}'" if name else f"for index {index}"))
-            found["labels" if is_label else "tolerances"] = array
-            if is_label:
-                found["labels_are_of_cells"] = association == CELLS
+            found.update({"labels": array, "labels_are_of_cells": association == CELLS} if is_label else {"tolerances": array})
         return InputArrays(**found) if data.GetNumberOfPoints() else InputArrays()
 
-    def _goes_on(self, fraction: float) -> bool:
+    def _should_continue(self, fraction: float) -> bool:
         """An event per percent. An aborted run still has a valid surface: CheckAbort() would have the executive throw it away."""
         while not self.GetAbortExecute() and self._percent < int(100 * fraction + 1e-9):
             self._percent += 1

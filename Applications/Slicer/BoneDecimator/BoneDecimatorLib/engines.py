@@ -194,10 +194,10 @@ class WheelEngine:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # the report has what was left out
                 found = bonedecimate.certify(reference, result, tolerance=tolerance, progress=goes_on)
-        except bonedecimate.Aborted as problem:
-            raise Canceled("Canceled.") from problem
         except (TypeError, ValueError) as problem:
             raise DecimationError(str(problem)) from problem
+        if found.stopped:
+            raise Canceled("Canceled.")
         return Comparison(json.loads(found.report_as_json), (abs(found.reference_distance), abs(found.result_distance)))
 
     def record_levels(self, surface, options):

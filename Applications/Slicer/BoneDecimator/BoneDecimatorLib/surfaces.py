@@ -42,7 +42,10 @@ def set_colors(surface, colors):
 
 
 def checksum_of(surface):
-    """As the core computes it (Mesh/Checksum.h): of the triangles in any order, to the bit."""
+    """As the core computes it (Mesh/Checksum.h): of the triangles in any order, to the bit. Empty unless it is one of triangles."""
+    polygons = surface.GetPolys()
+    if not surface.GetPoints() or surface.GetNumberOfStrips() > 0 or polygons.IsHomogeneous() != 3:
+        return ""
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(np.float64) + 0.0
     triangles = points[vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
     each = np.arange(len(triangles))

@@ -26,6 +26,21 @@ void Apply(const std::vector<VoxelRun>& runs, const LabelImage& image, void* lab
     });
 }
 
+/// Whether a label of this type can be the background.
+bool CanHold(const LabelImage& image, std::int64_t background)
+{
+  bool holds = false;
+  WithLabelsOf(image,
+    [&](const auto* typed)
+    {
+      using Scalar = std::remove_const_t<std::remove_pointer_t<decltype(typed)>>;
+      const auto label = static_cast<Scalar>(background);
+      holds = static_cast<std::int64_t>(label) == background &&
+        (std::is_signed_v<Scalar> || background >= 0);
+    });
+  return holds;
+}
+
 /// Each once, ascending, without the background.
 std::vector<std::int64_t> SegmentsOf(std::vector<std::int64_t> labels, std::int64_t background)
 {
@@ -56,15 +71,20 @@ PieceCounts ChangePieces(
   }
   const LabelValues found = FindLabelValues(image, 0, {});
   counts.FitInt64 = found.FitInt64; // others would be taken for background
+  counts.HoldsBackground = CanHold(image, options.Background);
+  if (!counts.FitInt64 || !counts.HoldsBackground)
+  {
+    return counts;
+  }
   const std::vector<std::int64_t> segments =
     SegmentsOf(options.Labels.empty() ? found.Values : options.Labels, options.Background);
-  if (removes && counts.FitInt64)
+  if (removes)
   {
     PieceChanges changes = FindIslands(image, segments, options.Background, islands);
     Apply(changes.Runs, image, labels);
     counts.Islands = std::move(changes.Segments);
   }
-  if (options.CavityVolume > 0.0 && counts.FitInt64)
+  if (options.CavityVolume > 0.0)
   {
     PieceChanges changes = FindCavities(image, segments, options.Background, options.CavityVolume);
     Apply(changes.Runs, image, labels);

@@ -25,6 +25,7 @@ struct PieceOptions
 struct PieceCounts
 {
   bool FitInt64 = true;                ///< Whether all labels do; if not, nothing changes.
+  bool HoldsBackground = true;         ///< Whether the type of the labels does; the same.
   std::vector<SegmentPieces> Islands;  ///< By label, ascending; empty without a limit.
   std::vector<SegmentPieces> Cavities; ///< The same for cavities.
 };

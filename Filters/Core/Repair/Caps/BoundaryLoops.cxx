@@ -143,8 +143,10 @@ public:
 
   bool IsEnd(const Surface& surface, double tolerance) const
   {
-    return std::all_of(surface.Points.begin(), surface.Points.end(),
-      [&](const Vector3& p) { return this->Height(p) <= tolerance; });
+    const auto isBelow = [&](Index p)
+    { return this->Height(surface.Points[static_cast<std::size_t>(p)]) <= tolerance; };
+    return std::all_of(surface.Triangles.begin(), surface.Triangles.end(),
+      [&](const Triangle& c) { return std::all_of(c.begin(), c.end(), isBelow); });
   }
 
 private:
