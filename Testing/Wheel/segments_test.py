@@ -51,7 +51,7 @@ def tensor(space):
 class SegmentNames(unittest.TestCase):
     MAP = LabelMap(np.where(labels() == 2, 3, labels()) + 2 * (np.indices(labels().shape)[0] == 29).astype(np.uint8), axes="xyz")
 
-    def test_none_takes_the_place_of_another(self):
+    def test_none_replaces_another(self):
         with self.assertWarnsRegex(UserWarning, "labels 1 and 3 have the same name, 'a'; that of 3 is 'a_3_3' here"):
             found = segments(self.MAP, names={1: "a", 2: "a_3", 3: "a"})
         self.assertEqual({name: one.label for name, one in found.items()}, {"a": 1, "a_3": 2, "a_3_3": 3})

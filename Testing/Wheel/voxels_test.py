@@ -66,7 +66,7 @@ class Runs(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "does not hold the background"):
                 bonedecimate.change_pieces(LabelMap(np.ones((8, 8, 8), np.uint8), axes="zyx"), background=background, island_volume=2)
 
-    def test_results_do_not_share_their_labels_with_the_input(self):
+    def test_changed_labels_of_a_result_leave_the_input_alone(self):
         surfaces = extract_surfaces(MAP)
         decimate(surfaces, target_reduction=0.5).label_values[:] = 77
         self.assertNotIn(77, surfaces.label_values)

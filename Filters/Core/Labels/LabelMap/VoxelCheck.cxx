@@ -228,8 +228,8 @@ private:
     return sum.Changes;
   }
 
-  /// A row that crosses no triangle has one label: the background, or, at an open surface, which may
-  /// go on beside it, not known: then it counts as that of the other row.
+  /// A row that crosses no triangle has one label: the background, or, at an open surface, one that
+  /// is not known: then it counts as that of the other row.
   void FillUncrossed(std::vector<Index>& before, std::vector<Index>& after) const
   {
     const Index background = this->Settings.NumberOfLabels - 1;
