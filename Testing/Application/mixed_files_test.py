@@ -85,6 +85,19 @@ class MixedFiles(ApplicationTest):
             self.succeed("s.seg.nrrd", "s.vtp", "--segments", choice, "--target-reduction", 0, "--report", "r.json")
             self.assertEqual(self.report("r.json")["output"]["components"], 1, choice)
 
+    def test_a_batch_sees_that_the_voxels_of_a_header_changed(self):
+        self.path("scans").mkdir()
+        header = "NDims = 3\nDimSize = 24 24 24\nElementSpacing = 1 1 1\nElementType = MET_SHORT\nElementDataFile = a.raw\n"
+        self.path("scans/a.mhd").write_text("ObjectType = Image\n" + header, encoding="ascii")
+        away = sum((k - 12) ** 2 for k in np.indices((24, 24, 24)))
+        volumes = []
+        for squared in (90, 40, 40):
+            self.path("scans/a.raw").write_bytes(np.where(away < squared, 1000, 0).astype("<i2").tobytes()) if len(volumes) < 2 else None
+            completed = self.succeed("scans", "out", "--iso", 500, "--max-error", 0.5)
+            self.assertEqual("by an earlier run" in completed.stdout, len(volumes) == 2)
+            volumes.append(self.report("out/a.json")["output"]["volume"])
+        self.assertLess(volumes[1], volumes[0] / 2)
+
     def test_slices_may_be_numbered_by_tens(self):
         self.path("slices").mkdir()
         for i in range(12):

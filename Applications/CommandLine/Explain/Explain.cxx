@@ -55,9 +55,7 @@ std::string FormatText(const SurfaceFormat& format, bool isSingle)
     : format.HasGrid           ? ", whole multiples of a step"
     : isSingle                 ? ", single precision"
                                : ", double precision";
-  text += format.HoldsArrays       ? ", arrays"
-    : format.ArraysHeld != nullptr ? ", some arrays"
-                                   : ", no arrays";
+  text += format.HoldsArrays ? ", arrays" : ", no arrays";
   return text + (format.NamesUnit ? ", names its unit" : "");
 }
 

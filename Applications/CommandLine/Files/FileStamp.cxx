@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileStamp.h"
 
+#include "Base/Text.h"
 #include "FilePath.h"
 #include "FolderEntries.h"
+#include "Formats/LineReader.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -50,6 +53,34 @@ FileStamp StampOfFile(const std::string& path)
     fraction, sizeof(fraction), ".%09lldZ", static_cast<long long>((since - seconds).count()));
   return { static_cast<std::int64_t>(bytes), std::string(day) + fraction };
 }
+
+/// The file that has the voxels of a header of MetaImage or NRRD; empty if it is no such header.
+std::string DataFileOf(const std::string& header)
+{
+  const std::string extension = LowerCase(FilePath(header).extension().string());
+  const bool isMetaImage = extension == ".mhd";
+  std::ifstream file(isMetaImage || extension == ".nhdr" ? FilePath(header) : fs::path());
+  std::string line;
+  constexpr int mostLines = 1000;
+  for (int i = 0; i < mostLines && std::getline(file, line); ++i)
+  {
+    const std::size_t separator = line.find(isMetaImage ? '=' : ':');
+    const std::string key = LowerCase(std::string(Trimmed(line.substr(0, separator))));
+    if (separator != std::string::npos &&
+      (key == "elementdatafile" || key == "data file" || key == "datafile"))
+    {
+      const std::string name(Trimmed(line.substr(separator + 1)));
+      return (FilePath(header).parent_path() / FilePath(name)).string();
+    }
+  }
+  return {};
+}
+
+void Add(const FileStamp& file, FileStamp& sum)
+{
+  sum.Bytes += file.Bytes;
+  sum.Modified = std::max(sum.Modified, file.Modified);
+}
 }
 
 FileStamp StampOf(const std::string& path)
@@ -57,14 +88,17 @@ FileStamp StampOf(const std::string& path)
   std::error_code error;
   if (!fs::is_directory(FilePath(path), error))
   {
-    return StampOfFile(path);
+    FileStamp stamp = StampOfFile(path);
+    if (const std::string data = DataFileOf(path); fs::is_regular_file(FilePath(data), error))
+    {
+      Add(StampOfFile(data), stamp);
+    }
+    return stamp;
   }
   FileStamp stamp;
   for (const fs::path& entry : FolderEntries(FilePath(path), error))
   {
-    const FileStamp file = StampOfFile(entry.string());
-    stamp.Bytes += file.Bytes;
-    stamp.Modified = std::max(stamp.Modified, file.Modified);
+    Add(StampOfFile(entry.string()), stamp);
   }
   return stamp;
 }

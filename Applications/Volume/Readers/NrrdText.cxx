@@ -23,13 +23,13 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t LongestHeader = std::uint64_t(1) << 28;
 constexpr std::size_t MostKeys = 10000; // that the library reads in less than a second
 
-/// Numbers, all of them finite.
-bool AreFinite(const std::string& text)
+/// Whether there are finite numbers for three axes; an axis of components has none.
+bool AreOfThreeAxes(const std::string& text)
 {
   const auto numbers = ParseNumbers(text);
-  return numbers && !numbers->empty() &&
-    std::all_of(
-      numbers->begin(), numbers->end(), [](double value) { return std::isfinite(value); });
+  return numbers &&
+    std::count_if(
+      numbers->begin(), numbers->end(), [](double value) { return std::isfinite(value); }) >= 3;
 }
 
 /// A name that no other file has.
@@ -72,7 +72,7 @@ bool NrrdText::HasSpacing() const
   {
     directions.erase(at, 4);
   }
-  return AreFinite(directions) || AreFinite(this->FieldOf("spacings"));
+  return AreOfThreeAxes(directions) || AreOfThreeAxes(this->FieldOf("spacings"));
 }
 
 NrrdText ReadNrrdText(const std::string& path)
