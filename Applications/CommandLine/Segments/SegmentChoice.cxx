@@ -277,6 +277,7 @@ SegmentSelection SelectionOf(const SegmentArguments& arguments, const std::strin
   return [arguments, table](const std::vector<NamedSegment>& all)
   {
     std::vector<NamedLabel> segments;
+    segments.reserve(all.size());
     for (const NamedSegment& one : all)
     {
       segments.push_back({ one.Label, NameOfSegment(one.Label, PlainText(one.Name), table), {} });

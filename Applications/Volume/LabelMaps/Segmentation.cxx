@@ -151,6 +151,7 @@ std::vector<bool> ChosenSegments(
   const std::vector<Segment>& segments, const SegmentSelection& selection)
 {
   std::vector<NamedSegment> all;
+  all.reserve(segments.size());
   for (const Segment& segment : segments)
   {
     all.push_back({ segment.Label, segment.Name });
