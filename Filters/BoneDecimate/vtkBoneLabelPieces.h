@@ -15,9 +15,10 @@
  * that does not reach the end of the image and touches one label alone. One of at most CavityVolume
  * gets this label. Islands are removed first.
  *
- * The output is the image with the changed labels; the input does not change. The counts tell what
- * was changed in the last update. The image is processed as a whole; one that comes in pieces is an
- * error.
+ * The output is the image with the changed labels as active scalars, beside its other arrays; the
+ * input does not change. The counts tell what was changed in the last update. The image is
+ * processed as a whole; one that comes in pieces is an error, and so are labels of a type that does
+ * not hold BackgroundLabel.
  *
  * @sa vtkBoneSurfaces
  */

@@ -7,27 +7,8 @@ import os
 import vtk
 
 from application import NOT_WRITTEN, USAGE, ApplicationTest, main, sphere, torus, write
-from certify_test import VIOLATED, square, with_tolerance
+from certify_test import VIOLATED, in_frame, square, turned, with_tolerance
 from label_maps import blocks, surface_of, write_map
-
-
-def turned(surface, frame):
-    """Half a turn about z; the field data says what the axes are then."""
-    turn = vtk.vtkTransform()
-    turn.Scale(-1, -1, 1)
-    moved = vtk.vtkTransformPolyDataFilter()
-    moved.SetTransform(turn)
-    moved.SetInputData(surface)
-    moved.Update()
-    return in_frame(moved.GetOutput(), frame)
-
-
-def in_frame(surface, frame):
-    axes = vtk.vtkStringArray()
-    axes.SetName("SPACE")
-    axes.InsertNextValue(frame)
-    surface.GetFieldData().AddArray(axes)
-    return surface
 
 
 class CertifyFrames(ApplicationTest):
@@ -35,7 +16,7 @@ class CertifyFrames(ApplicationTest):
         write_map(blocks(5), self.path("map.mha"))
         bone = surface_of(blocks(5), 5)
         write(in_frame(bone, "LPS"), self.path("lps.vtp"))
-        write(turned(bone, "RAS"), self.path("ras.vtp"))
+        write(in_frame(turned(bone), "RAS"), self.path("ras.vtp"))
         for reference, result in (("ras.vtp", "lps.vtp"), ("ras.vtp", "ras.vtp"), ("lps.vtp", "ras.vtp")):
             completed = self.succeed("certify", reference, result, "--labels", "map.mha", "--tolerance", 0.001, "--no-means")
             self.assertIn("voxels               0 of 2,744 have another label", completed.stdout)

@@ -41,6 +41,26 @@ def with_tolerance(surface, tolerance):
     return surface
 
 
+def turned(surface):
+    """Half a turn about z."""
+    turn = vtk.vtkTransform()
+    turn.Scale(-1, -1, 1)
+    moved = vtk.vtkTransformPolyDataFilter()
+    moved.SetTransform(turn)
+    moved.SetInputData(surface)
+    moved.Update()
+    return moved.GetOutput()
+
+
+def in_frame(surface, frame):
+    """The surface itself, of which the field data says what its axes are."""
+    axes = vtk.vtkStringArray()
+    axes.SetName("SPACE")
+    axes.InsertNextValue(frame)
+    surface.GetFieldData().AddArray(axes)
+    return surface
+
+
 class Certify(ApplicationTest):
     def setUp(self):
         super().setUp()
@@ -206,20 +226,9 @@ class CertifyScan(ApplicationTest):
         self.succeed("certify", "ct.mha", "bone.ply", "--iso", 425, "--tolerance", 0.55)
 
     def test_a_result_in_the_other_axes_is_turned(self):
-        bone = read(self.path("bone.ply"))
-        turn = vtk.vtkTransform()
-        turn.Scale(-1, -1, 1)
-        turned = vtk.vtkTransformPolyDataFilter()
-        turned.SetTransform(turn)
-        turned.SetInputData(bone)
-        turned.Update()
-        surface = turned.GetOutput()
+        surface = turned(read(self.path("bone.ply")))
         write(surface, self.path("unknown.vtp"))
-        frame = vtk.vtkStringArray()
-        frame.SetName("SPACE")
-        frame.InsertNextValue("RAS")
-        surface.GetFieldData().AddArray(frame)
-        write(surface, self.path("ras.vtp"))
+        write(in_frame(surface, "RAS"), self.path("ras.vtp"))
         completed = self.succeed("certify", "ct.mha", "ras.vtp", "--iso", 300, "--tolerance", 1e-5)
         self.assertIn("the axes of 'ras.vtp' are RAS, those of the reference LPS", completed.stdout + completed.stderr)
         self.assertEqual(self.run_program("certify", "ct.mha", "unknown.vtp", "--iso", 300, "--tolerance", 1e-5).returncode, VIOLATED)

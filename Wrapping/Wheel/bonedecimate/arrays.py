@@ -148,7 +148,7 @@ def smooth(
     TypeError, ValueError, RuntimeError, KeyboardInterrupt
         As `decimate` does.
     """
-    read(options, smooth, has_tolerances=True)  # no triangle goes: max_error=0 is no mistake
+    read(options, smooth, removes_nothing=True)  # max_error=0 is no mistake
     values = read({"mode": "Fast", "target_reduction": 0.0, **smoothing_of(distance), **options}, decimate)
     return run_on_arrays(input_from(points, triangles), values, tolerances, labels, label_map, boundary_labels, reference, progress)
 

@@ -136,7 +136,7 @@ def profile_options(name: str | None, keywords: Iterable[str]) -> dict[str, str]
     return {flag.replace("-", "_"): value for flag, value, _ in profiles[name.lower()].options if flag not in set_before}
 
 
-def read(keywords: Mapping[str, object], function: Callable, profile: str | None = None, has_tolerances: bool = False) -> _core.Options:
+def read(keywords: Mapping[str, object], function: Callable, profile: str | None = None, removes_nothing: bool = False) -> _core.Options:
     """Options with those values, as the function takes them; what a profile sets and the function does not take has no meaning there.
 
     Raises TypeError for a keyword that is none and for a value of a wrong type, ValueError for a value out of range, and for a zero
@@ -152,7 +152,7 @@ def read(keywords: Mapping[str, object], function: Callable, profile: str | None
             raise TypeError(_unknown(key, [name for name in known if name != "self"], function._without))
         assign(options, key, value)
     zeros = [key for key in ("max_error", "target_triangles") if key in keywords and not keywords[key]]
-    has_target = (has_tolerances or "target_reduction" in keywords or any(keywords.get(key) for key in _TARGETS)
+    has_target = (removes_nothing or "target_reduction" in keywords or any(keywords.get(key) for key in _TARGETS)
                   or not {*_TARGETS, "target_reduction"}.isdisjoint(profile_options(profile, keywords)))
     if zeros and not has_target:
         raise ValueError(f"{zeros[0]}=0 sets no limit, so that nine tenths of the triangles would go; target_reduction=0 removes none")
